@@ -1,0 +1,83 @@
+// The section of a cloudscape that says how the medium interacts with light.
+#pragma once
+#include <array>
+
+#include "core/fields.h"
+
+namespace cloudscape {
+
+enum class PhaseKind { henyey_greenstein, two_lobe, rayleigh, isotropic };
+template <>
+struct EnumNames<PhaseKind> {
+  static constexpr std::array<std::string_view, 4> names{"henyey-greenstein", "two-lobe", "rayleigh", "isotropic"};
+};
+
+// cos_theta = 1 is forward scattering; the integral over all directions is 1.
+struct Phase {
+  PhaseKind kind = PhaseKind::henyey_greenstein;
+  double asymmetry_g = 0.8;
+  double second_asymmetry_g = -0.3;
+  double second_weight = 0.3;
+  bool operator==(const Phase&) const = default;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("kind", self.kind, Limits{}, "Phase function.");
+    visit("asymmetry_g", self.asymmetry_g, Limits{-0.99, 0.99}, "Mean cosine of the (first) Henyey-Greenstein lobe.");
+    visit("second_asymmetry_g", self.second_asymmetry_g, Limits{-0.99, 0.99},
+          "Mean cosine of the second lobe of two-lobe.");
+    visit("second_weight", self.second_weight, Limits{0, 1}, "Share of the second lobe of two-lobe.");
+  }
+};
+
+// single: Beer-Lambert, first order only. olajos: exp(-m d) (1 - exp(-c d)) (Olajos 2.5). beer_octaves: several
+// attenuated, broadened copies of single scattering (Wrenninge 2013).
+enum class LightFunctionKind { single, olajos, beer_octaves };
+template <>
+struct EnumNames<LightFunctionKind> {
+  static constexpr std::array<std::string_view, 3> names{"single", "olajos", "beer-octaves"};
+};
+
+struct LightFunction {
+  LightFunctionKind kind = LightFunctionKind::beer_octaves;
+  double olajos_attenuation = 0.25;
+  double olajos_in_scatter = 2.0;
+  double olajos_gain = 1.0;
+  int octaves = 4;
+  double octave_scattering = 0.534;
+  double octave_extinction = 0.218;
+  double octave_asymmetry = 0.684;
+  bool operator==(const LightFunction&) const = default;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("kind", self.kind, Limits{}, "What becomes of sunlight on its way to a point in the cloud.");
+    visit("olajos_attenuation", self.olajos_attenuation, Limits{0, 10},
+          "m, per unit of optical depth towards the sun.");
+    visit("olajos_in_scatter", self.olajos_in_scatter, Limits{0, 100}, "c, per unit of optical depth towards the sun.");
+    visit("olajos_gain", self.olajos_gain, Limits{0, 100},
+          "Strength of the in-scattered light beside the first order.");
+    visit("octaves", self.octaves, Limits{1, 8}, "Octaves of beer-octaves, the first order included.");
+    visit("octave_scattering", self.octave_scattering, Limits{0, 1}, "Contribution ratio of neighbouring octaves.");
+    visit("octave_extinction", self.octave_extinction, Limits{0, 1}, "Extinction ratio of neighbouring octaves.");
+    visit("octave_asymmetry", self.octave_asymmetry, Limits{0, 1}, "Asymmetry ratio of neighbouring octaves.");
+  }
+};
+
+struct Medium {
+  double extinction_per_m = 0.04;
+  double single_scattering_albedo = 1.0;
+  double ambient = 1.0;
+  Phase phase;
+  LightFunction light_function;
+  bool operator==(const Medium&) const = default;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("extinction_per_m", self.extinction_per_m, Limits{0, 10}, "Extinction coefficient where density is 1, 1/m.");
+    visit("single_scattering_albedo", self.single_scattering_albedo, Limits{0, 1}, "Scattering over extinction.");
+    visit("ambient", self.ambient, Limits{0, 10},
+          "Scale of the light from the sky above and the ground below; 0: none.");
+    visit("phase", self.phase, Limits{}, "Phase function and its parameters.");
+    visit("light_function", self.light_function, Limits{}, "Sunlight inside the cloud.");
+  }
+};
+
+}  // namespace cloudscape

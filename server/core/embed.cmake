@@ -1,0 +1,13 @@
+# Writes OUTPUT, a C++ file that defines VARIABLE: the FILES (separated by commas, below ROOT) as core/embedded.h has them.
+string(REPLACE "," ";" FILES "${FILES}")
+set(arrays "")
+set(rows "")
+set(index 0)
+foreach(file ${FILES})
+  file(READ ${ROOT}/${file} hex HEX)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${hex}")
+  string(APPEND arrays "const unsigned char file_${index}[] = {${bytes}0};\n")
+  string(APPEND rows "    {\"${file}\", {reinterpret_cast<const char*>(file_${index}), sizeof file_${index} - 1}},\n")
+  math(EXPR index "${index} + 1")
+endforeach()
+file(WRITE ${OUTPUT} "#include \"core/embedded.h\"\nnamespace {\n${arrays}const cloudscape::EmbeddedFile table[] = {\n${rows}};\n}\nnamespace cloudscape {\nextern const EmbeddedFiles ${VARIABLE};\nconst EmbeddedFiles ${VARIABLE}{table};\n}\n")

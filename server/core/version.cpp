@@ -1,0 +1,4 @@
+#include "core/version.h"
+namespace cloudscape {
+const char* const version = CLOUDSCAPE_VERSION;
+}

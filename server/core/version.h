@@ -1,0 +1,4 @@
+#pragma once
+namespace cloudscape {
+extern const char* const version;  // "0.1.0"
+}

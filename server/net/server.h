@@ -1,0 +1,54 @@
+// The network face: HTTP API, web page and streams over libwebsockets, all on the thread that calls run().
+#pragma once
+#include <memory>
+#include <string>
+
+#include "core/embedded.h"
+#include "core/frame.h"
+#include "core/metrics.h"
+#include "settings/cloudscape_json.h"
+#include "settings/server_settings.h"
+#include "stream/frame_scheduler.h"
+
+namespace cloudscape::net {
+
+// What the server tells of its renderer; set once by the render thread through Server::set_ready.
+struct RendererInfo {
+  std::string renderer, vendor, gl_version, pass_execution;
+  bool software = false;
+};
+
+// The server's parts that live elsewhere; all must outlive it.
+struct Parts {
+  settings::ServerSettings settings;
+  stream::FrameScheduler& scheduler;
+  settings::CloudscapeLibrary& library;
+  Metrics& metrics;
+  EmbeddedFiles page;  // index.html and what it loads
+};
+
+class Server {
+ public:
+  explicit Server(Parts parts);  // binds; throws Error in one sentence (port in use, bad token file, ...)
+  ~Server();
+  int port() const;
+  std::string ready_link() const;  // http://HOST:PORT/ with #token=... where one was made
+  // Serves until request_stop(); then closes sockets with 1001, drains for at most drain_s and returns.
+  void run();
+
+  // From any thread.
+  void request_stop();
+  void set_ready(RendererInfo info);  // /readyz answers 200 from now on
+  // A stream's frame, front == frame_front() bytes free: the newest one waits for the socket, an older one is dropped
+  // and counted.
+  void deliver_frame(const stream::Work& work, const FrameTimings& timings, EncodedFrame frame);
+  void deliver_still(StreamId still, EncodedFrame image);
+  void fail(StreamId stream_or_still, const std::string& message);
+  static std::size_t frame_front();  // LWS_PRE + wire::frame_header_bytes
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace cloudscape::net

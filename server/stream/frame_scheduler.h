@@ -1,0 +1,84 @@
+// Who gets the next frame. Streams (viewers) and stills wait in one fair round robin; a stream's newest view wins; what
+// is in flight to a viewer is bounded by its acknowledgements; a view at rest is refined and then costs nothing. No
+// sockets, no GL. Every function may be called from any thread; only `take` waits.
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/frame.h"
+#include "core/metrics.h"
+
+namespace cloudscape::stream {
+
+using Time = std::chrono::steady_clock::time_point;
+
+// What a viewer wants to see now.
+struct StreamView {
+  std::shared_ptr<const Cloudscape> cloudscape;
+  CameraPose pose;
+  Lens lens;
+  Display display;
+  ImageSize size_px;
+  Quality quality = Quality::standard;  // that a resting view is refined to
+  double time_s = 0;
+  std::uint64_t pose_sequence = 0;  // of the client's message that set it
+};
+
+struct SchedulerOptions {
+  double target_frame_ms = 50;   // of a moving view: march_divisor adapts to it
+  std::size_t still_queue = 16;  // stills that wait or render; one more is refused
+  int max_in_flight = 3;         // frames without acknowledgement, at most
+};
+
+// One frame to render. `request` is complete: quality, sample count and sequence included.
+struct Work {
+  FrameRequest request;
+  Encoding encoding;
+  bool still = false;          // a still: deliver once, whole
+  std::uint32_t frame_id = 0;  // streams: acknowledged by the viewer
+  std::uint64_t pose_sequence = 0;
+  std::uint8_t quality_stage = 0;  // 0 moving, 1.. refining, 255 final
+  Time queued;
+};
+
+class FrameScheduler {
+ public:
+  using Clock = std::function<Time()>;
+  FrameScheduler(SchedulerOptions options, Metrics& metrics, Clock clock = std::chrono::steady_clock::now);
+  ~FrameScheduler();
+
+  // Viewers (network thread).
+  StreamId open(const StreamView& view);
+  void update(StreamId stream, const StreamView& view);
+  void acknowledge(StreamId stream, std::uint32_t frame_id, double decode_ms);
+  void close(StreamId stream);
+  // The frame was replaced by a newer one before its socket took it: it will never be acknowledged.
+  void dropped(StreamId stream, std::uint32_t frame_id);
+
+  // Stills. The id names it in `Work::request.stream`; nullopt: the queue is full.
+  std::optional<StreamId> submit_still(FrameRequest request, const Encoding& encoding);
+  void cancel_still(StreamId still);
+  std::size_t stills_waiting() const;
+
+  // Render thread. `take` waits until something can be rendered, or `deadline`, or stop().
+  std::optional<Work> take(Time deadline);
+  // The work is not done yet but others may go first: false if nobody wants it any more (view changed, closed,
+  // cancelled), else it comes back from a later `take`, the same value.
+  bool yield(const Work& work);
+  // The frame is rendered; `bytes` and `encode_ms` follow from the encoder through `encoded`.
+  void rendered(const Work& work, const FrameTimings& timings);
+  void encoded(const Work& work, std::size_t bytes, double encode_ms);
+  // The render failed; the stream goes on with its next view.
+  void failed(const Work& work);
+
+  void stop();  // `take` returns nullopt from now on, at once
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace cloudscape::stream

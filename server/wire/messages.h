@@ -1,0 +1,106 @@
+// The stream protocol cloudscape.v1: messages of both directions as values, and as bytes.
+//
+// The client sends JSON text: hello (once, first), camera, settings, ack. The server sends JSON text (welcome, stats,
+// error) and one binary message a frame: FrameHeader, then the image.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/frame.h"
+
+namespace cloudscape::wire {
+
+constexpr std::string_view subprotocol = "cloudscape.v1";
+constexpr std::size_t max_client_message_bytes = 64 * 1024;  // a hello may carry a whole document
+
+// {"type":"hello","cloudscape":"fair-weather-cumulus","size_px":[1280,720],...} and, as settings, any of its members
+// later. Absent members keep their value; in hello they start from the document's `view`.
+struct Settings {
+  std::optional<std::string> cloudscape;           // name; or
+  std::optional<std::string> cloudscape_document;  // the JSON text of a whole document ("cloudscape": {...})
+  std::optional<ImageSize> size_px;                // "size_px": [width, height]
+  std::optional<CameraPose> pose;                  // "pose": {...}
+  std::optional<Lens> lens;
+  std::optional<Display> display;
+  std::optional<Quality> quality;         // "quality": "standard"
+  std::optional<double> sun_azimuth_deg;  // null resets to the document's
+  std::optional<double> sun_elevation_deg;
+  bool reset_sun = false;  // either of the two was null
+  std::optional<double> time_s;
+};
+struct Hello {
+  int version = 1;
+  Settings settings;
+};
+// {"type":"camera","pose_sequence":7,"pose":{"position_m":[0,0,2],"azimuth_deg":0,"elevation_deg":10,"roll_deg":0},"time_s":0}
+struct Camera {
+  std::uint64_t pose_sequence = 0;
+  CameraPose pose;
+  std::optional<double> time_s;
+};
+// {"type":"ack","frame_id":12,"decode_ms":3.1}, after the frame is on display.
+struct Ack {
+  std::uint32_t frame_id = 0;
+  double decode_ms = 0;
+};
+using ClientMessage = std::variant<Hello, Settings, Camera, Ack>;
+
+// Throws InvalidInput with a JSON pointer: not JSON, unknown type or key, wrong type, out of range, not finite.
+ClientMessage parse_client_message(std::string_view text);
+std::string to_text(const ClientMessage& message);  // what the native viewer sends
+
+struct Welcome {
+  std::string program_version, renderer;
+  bool software = false;
+  std::string cloudscape;  // "" for a document of the client's own
+  CameraPose pose;         // that the stream starts from
+  Lens lens;
+  Display display;
+  double sun_azimuth_deg = 0, sun_elevation_deg = 0;
+  ImageSize size_px, max_size_px;
+};
+struct Stats {
+  double frames_per_second = 0, bits_per_second = 0, round_trip_ms = 0, render_ms = 0, encode_ms = 0;
+  std::uint64_t frames_dropped = 0;
+  int window = 1;
+};
+struct ErrorMessage {
+  std::string message, pointer;
+  bool fatal = false;  // the server closes after it
+};
+using ServerMessage = std::variant<Welcome, Stats, ErrorMessage>;
+std::string to_text(const ServerMessage& message);
+ServerMessage parse_server_message(std::string_view text);
+
+// Little-endian, packed in this order without gaps; `frame_header_bytes` long.
+struct FrameHeader {
+  std::uint8_t version = 1;
+  std::uint8_t quality_stage = 0;  // 0 moving, 1.. refining, 255 final
+  std::uint8_t image_format = 0;   // ImageFormat
+  std::uint8_t lens_kind = 0;      // LensKind
+  std::uint32_t frame_id = 0;
+  std::uint64_t pose_sequence = 0;
+  std::uint16_t width_px = 0, height_px = 0;
+  float vertical_fov_deg = 0;
+  double position_m[3] = {0, 0, 0};
+  double azimuth_deg = 0, elevation_deg = 0, roll_deg = 0;
+  double time_s = 0;
+  float render_ms = 0, encode_ms = 0;
+  std::uint32_t image_bytes = 0;
+  bool operator==(const FrameHeader&) const = default;
+};
+constexpr std::size_t frame_header_bytes = 1 * 4 + 4 + 8 + 2 * 2 + 4 + 7 * 8 + 2 * 4 + 4;  // 92
+
+FrameHeader frame_header(const Frame& frame, std::uint32_t frame_id, std::uint64_t pose_sequence,
+                         std::uint8_t quality_stage, double encode_ms, std::size_t image_bytes);
+void write(const FrameHeader& header, std::span<std::uint8_t, frame_header_bytes> out);
+// Throws Error if the message is too short, of another version, or its length is not that of header and image.
+FrameHeader read_frame_header(std::span<const std::uint8_t> message);
+
+}  // namespace cloudscape::wire
