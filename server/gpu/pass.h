@@ -1,0 +1,76 @@
+// Programs and how they run: compute passes over a volume, and screen passes that are written once and run either way.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gpu/context.h"
+#include "gpu/shader_source.h"
+#include "gpu/texture.h"
+
+namespace cloudscape::gpu {
+
+class Program {
+ public:
+  Program() = default;
+  static Program compute(const ShaderSource& source, const std::string& label);
+  static Program fragment(const ShaderSource& source,
+                          const std::string& label);  // with the built-in full-screen triangle
+  ~Program();
+  Program(Program&& other) noexcept;
+  Program& operator=(Program&& other) noexcept;
+  unsigned id() const { return id_; }
+
+  // (name, byte offset) of each member of a uniform block, as the driver laid it out; for the test of shaders/shared.
+  std::vector<std::pair<std::string, int>> block_offsets(const std::string& block) const;
+
+ private:
+  unsigned id_ = 0;
+};
+
+struct Rect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+struct Binding {  // a texture at a sampler's `layout(binding = unit)`
+  int unit;
+  const Texture* texture;
+};
+
+// A shader file that defines `PassOutput shade(ivec2 pixel)`; the wrapper declares `struct PassOutput { vec4 target_0;
+// ... }` with as many members as there are target formats, includes the file, and writes what it returns, as a compute
+// dispatch (8x8 groups) or as a full-screen triangle. Pixel (0, 0) is the top left one, which is also the first in
+// memory.
+class ScreenPass {
+ public:
+  ScreenPass(const Context& context, ShaderLibrary& shaders, const std::string& path, std::vector<Format> targets);
+  // Shades the pixels of `rect` of the targets (all of one size). Uniform blocks are bound by the caller
+  // (UniformBlock::bind). Makes what it wrote visible to later passes.
+  void run(Rect rect, std::span<const Texture* const> targets, std::span<const Binding> textures) const;
+  // Compiles the shader anew; if that fails the old program stays and the error is logged.
+  void reload(ShaderLibrary& shaders);
+  const Program& program() const { return program_; }
+
+ private:
+  Program build(ShaderLibrary& shaders) const;
+  std::string path_;
+  std::vector<Format> formats_;
+  bool compute_;
+  Program program_;
+  UniformBuffer rect_;
+};
+
+// A compute shader `layout(local_size_x = 4, local_size_y = 4, local_size_z = 4)` that writes one 3D image at binding
+// 0.
+class VolumePass {
+ public:
+  VolumePass(ShaderLibrary& shaders, const std::string& path);
+  // Runs texels z_begin <= z < z_end of `target`; the shader adds `volume_pass.z_begin` (block at binding 7) to its z.
+  void run(const Texture& target, int z_begin, int z_end, std::span<const Binding> textures) const;
+  const Program& program() const { return program_; }
+
+ private:
+  Program program_;
+  UniformBuffer range_;
+};
+
+}  // namespace cloudscape::gpu

@@ -1,0 +1,45 @@
+// Getting results and times back without stalling the device.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gpu/texture.h"
+
+namespace cloudscape::gpu {
+
+// Texels on their way to memory: a pixel buffer and a fence.
+class Readback {
+ public:
+  Readback() = default;
+  explicit Readback(const Texture& texture);  // starts the copy of the whole texture, in its own format
+  ~Readback();
+  Readback(Readback&& other) noexcept;
+  Readback& operator=(Readback&& other) noexcept;
+  bool ready() const;
+  std::vector<std::uint8_t> take();  // waits if need be; once
+  explicit operator bool() const { return buffer_ != 0; }
+
+ private:
+  unsigned buffer_ = 0;
+  void* fence_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+// GPU time between start and stop, by two timestamps, so that timers may nest.
+class Timer {
+ public:
+  Timer();
+  ~Timer();
+  Timer(Timer&& other) noexcept;
+  Timer& operator=(Timer&& other) noexcept;
+  void start();
+  void stop();
+  double milliseconds() const;  // waits for the result; 0 if it was never stopped
+
+ private:
+  unsigned queries_[2] = {0, 0};
+};
+
+}  // namespace cloudscape::gpu

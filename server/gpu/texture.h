@@ -1,0 +1,69 @@
+// Textures with immutable storage, and uniform blocks. Move-only; an empty (moved-from, default) object holds nothing.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cloudscape::gpu {
+
+enum class Format { rgba8, r8, rgba16f, rgba32f, r32f, rg32f };
+int bytes_per_texel(Format format);
+enum class Filter { nearest, linear };
+enum class Wrap { repeat, clamp };
+
+class Texture {
+ public:
+  Texture() = default;
+  Texture(Format format, int width, int height, const std::string& label);             // 2D
+  Texture(Format format, int width, int height, int depth, const std::string& label);  // 3D
+  ~Texture();
+  Texture(Texture&& other) noexcept;
+  Texture& operator=(Texture&& other) noexcept;
+
+  void sample_with(Filter filter, Wrap wrap);         // default: nearest, clamp
+  void upload(std::span<const std::uint8_t> texels);  // all texels, tightly packed, in the texture's own format
+  std::vector<std::uint8_t> download() const;         // the same; waits for the device
+  void clear();                                       // to zero
+  explicit operator bool() const { return id_ != 0; }
+  unsigned id() const { return id_; }
+  Format format() const { return format_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int depth() const { return depth_; }
+  std::size_t bytes() const;
+
+ private:
+  unsigned id_ = 0;
+  Format format_ = Format::rgba8;
+  int width_ = 0, height_ = 0, depth_ = 1;
+};
+
+// A uniform buffer; `Block` is a struct of shaders/shared, declared by DECLARE_BLOCK.
+class UniformBuffer {
+ public:
+  UniformBuffer() = default;
+  UniformBuffer(std::size_t bytes, const std::string& label);
+  ~UniformBuffer();
+  UniformBuffer(UniformBuffer&& other) noexcept;
+  UniformBuffer& operator=(UniformBuffer&& other) noexcept;
+  void upload(std::span<const std::byte> bytes);
+  void bind(int binding) const;
+
+ private:
+  unsigned id_ = 0;
+};
+
+template <class Block>
+class UniformBlock {
+ public:
+  explicit UniformBlock(const std::string& label) : buffer_(sizeof(Block), label) {}
+  void upload(const Block& block) { buffer_.upload(std::as_bytes(std::span(&block, 1))); }
+  void bind() const { buffer_.bind(Block::binding); }
+
+ private:
+  UniformBuffer buffer_;
+};
+
+}  // namespace cloudscape::gpu
