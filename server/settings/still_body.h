@@ -48,9 +48,12 @@ struct StillImage {
 struct StillSun {
   Sun sun;
 
-  static void fields(auto& self, auto&& visit) {
-    Sun::fields(self.sun, [&](std::string_view name, auto& member, const Limits& limits, std::string_view meaning) {
-      if (name == "azimuth_deg" || name == "elevation_deg") visit(name, member, limits, meaning);
+  static void fields(auto& self, auto&& visit) { each_angle(self.sun, visit); }
+  // The sun's two angles as the sun describes them.
+  static void each_angle(auto& sun, auto&& visit) {
+    Sun::fields(sun, [&](std::string_view name, auto& member, const Limits& limits, std::string_view meaning) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, double>)
+        if (&member == &sun.azimuth_deg || &member == &sun.elevation_deg) visit(name, member, limits, meaning);
     });
   }
 };
