@@ -40,12 +40,21 @@ export function altitude_m([east, north, up]) {
   return Math.hypot(east, north, up + planet_radius_m) - planet_radius_m;
 }
 
+// The same place, raised along the vertical to an altitude where it is lower.
+function above(position_m, lowest_m) {
+  const [east, north, up] = position_m;
+  const from_centre_m = Math.hypot(east, north, up + planet_radius_m);
+  const scale = Math.max(1, (lowest_m + planet_radius_m) / from_centre_m);
+  return [east * scale, north * scale, (up + planet_radius_m) * scale - planet_radius_m];
+}
+
 export class FlightCamera {
   speed_m_per_s = 120;  // tuned: a fair-weather cumulus is passed in about ten seconds
   turn_rate_deg_per_s = 60;
   smoothing_s = smoothing_s;
   #velocity_m_per_s = [0, 0, 0];
   #turn_deg_per_s = [0, 0];
+  #lowest_m = clearance_m;
 
   constructor(pose) {
     this.place(pose);
@@ -54,8 +63,9 @@ export class FlightCamera {
   // Jumps there and stands still.
   place(pose) {
     this.pose = { ...pose, position_m: [...pose.position_m] };
-    this.#velocity_m_per_s = [0, 0, 0];
-    this.#turn_deg_per_s = [0, 0];
+    // The ground stops a descent; a view that starts lower (a document without ground) may stay as low.
+    this.#lowest_m = Math.min(clearance_m, altitude_m(pose.position_m));
+    this.#stop();
   }
 
   look(right_deg, up_deg) {
@@ -77,8 +87,13 @@ export class FlightCamera {
     this.#move(dt_s, this.#wished_velocity(intent));
     const moves = Math.hypot(...this.#velocity_m_per_s) > this.speed_m_per_s * 1e-3 ||
       Math.hypot(...this.#turn_deg_per_s) > 1e-2;
-    if (settled && !moves) this.#velocity_m_per_s = [0, 0, 0];
+    if (settled && !moves) this.#stop();
     return moves || !settled;
+  }
+
+  #stop() {
+    this.#velocity_m_per_s = [0, 0, 0];
+    this.#turn_deg_per_s = [0, 0];
   }
 
   #wished_velocity({ right, forward, up, fast }) {
@@ -101,12 +116,7 @@ export class FlightCamera {
 
   #move(dt_s, wish) {
     const steps = wish.map((value, i) => this.#approach(this.#velocity_m_per_s[i], value, dt_s));
-    const before_m = altitude_m(this.pose.position_m);
-    const next = this.pose.position_m.map((value, i) => value + steps[i].way);
-    // The ground stops the descent; a view that starts lower (a document without ground) may stay there.
-    const sunk_m = Math.min(clearance_m, before_m) - altitude_m(next);
-    if (sunk_m > 0) next[2] += sunk_m;
-    this.pose.position_m = next;
+    this.pose.position_m = above(this.pose.position_m.map((value, i) => value + steps[i].way), this.#lowest_m);
     this.#velocity_m_per_s = steps.map(step => step.next);
   }
 }

@@ -3,6 +3,7 @@
 import { final_stage } from './protocol.js';
 
 const memory_ms = 2000;   // figures are averages over this time
+const rest_ms = 1000;     // tuned: slower than one picture a second counts as rest
 const refresh_ms = 250;   // tuned: readable, yet fresh
 
 // What arrived and was shown, as sums over the last moments. Times are of performance.now().
@@ -35,8 +36,11 @@ export class Measures {
     const recent = list => list.filter(({ at }) => now_ms - at < memory_ms);
     [this.#shown, this.#received] = [recent(this.#shown), recent(this.#received)];
     const bytes = this.#received.reduce((sum, { bytes }) => sum + bytes, 0);
+    const count = this.#shown.length;
+    const span_ms = count > 1 ? this.#shown[count - 1].at - this.#shown[0].at : 0;
+    const rests = count === 0 || now_ms - this.#shown[count - 1].at > rest_ms;
     return {
-      frames_per_second: this.#shown.length / (memory_ms / 1000),
+      rests, frames_per_second: span_ms > 0 ? (count - 1) * 1000 / span_ms : 0,
       bits_per_second: bytes * 8 / (memory_ms / 1000), latency_ms: this.latency_ms,
     };
   }
@@ -65,22 +69,28 @@ export class Hud {
     this.fields.renderer.title = renderer;
   }
 
+  stats({ render_ms, encode_ms, round_trip_ms }) {
+    const parts = { render: render_ms, encode: encode_ms, 'round trip': round_trip_ms };
+    this.fields.latency.title = 'From a movement to its picture on the screen. The server says: ' +
+      Object.entries(parts).map(([name, value]) => `${name} ${value?.toFixed(1)} ms`).join(', ');
+  }
+
   frame(header) {
     this.#header = header;
     this.#timer ??= setInterval(() => this.refresh(), refresh_ms);
   }
 
   refresh() {
-    const { frames_per_second, bits_per_second, latency_ms } = this.measures.figures(performance.now());
+    const { rests, frames_per_second, bits_per_second, latency_ms } = this.measures.figures(performance.now());
     const header = this.#header;
-    this.fields.fps.textContent = frames_per_second ? `${Math.round(frames_per_second)} fps` : 'at rest';
+    this.fields.fps.textContent = rests ? 'at rest' : `${Math.round(frames_per_second)} fps`;
     this.fields.latency.textContent = latency_ms === null ? '' : `${Math.round(latency_ms)} ms`;
-    this.fields.bitrate.textContent = frames_per_second ? bitrate_text(bits_per_second) : '';
+    this.fields.bitrate.textContent = rests ? '' : bitrate_text(bits_per_second);
     this.fields.size.textContent = header ? `${header.width_px} × ${header.height_px}` : '';
     this.fields.stage.textContent = header ? stage_word(header.quality_stage) : '';
     this.fields.stage.dataset.stage = header ? stage_word(header.quality_stage).split(' ')[0] : '';
     // A view at rest costs nothing here either.
-    if (!frames_per_second) {
+    if (rests) {
       clearInterval(this.#timer);
       this.#timer = null;
     }

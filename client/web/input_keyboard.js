@@ -10,7 +10,8 @@ function is_taken(event) {
   const { target, code } = event;
   if (event.ctrlKey || event.metaKey || event.altKey) return true;
   if (target.matches?.('select, textarea, input[type=text], input[type=password]')) return true;
-  return code.startsWith('Arrow') && Boolean(target.matches?.('input, [role=menu] *, summary'));
+  if (code === 'Space') return Boolean(target.matches?.('button, input, summary'));
+  return code.startsWith('Arrow') && Boolean(target.matches?.('input'));
 }
 
 export class KeyboardInput {

@@ -4,7 +4,7 @@ import { explain, list_cloudscapes } from './api.js';
 import { FlightCamera, sum_intents } from './camera.js';
 import { wait_ms } from './connection.js';
 import { Display } from './display.js';
-import { Hud, Measures } from './hud.js';
+import { Hud, Measures, stage_word } from './hud.js';
 import { GamepadInput } from './input_gamepad.js';
 import { KeyboardInput } from './input_keyboard.js';
 import { MouseInput } from './input_mouse.js';
@@ -57,11 +57,18 @@ const notices = new Notices({
 const hud = new Hud({ root: $('hud'), measures });
 const stream = new Stream({
   state, measures, size_px, display: new Display($('sky')), token: () => store.token,
-  on_frame: header => hud.frame(header),
-  on_message: message => (message.type === 'welcome' ? welcome(message) : tell(message)),
+  on_frame: header => {
+    document.body.dataset.stage = stage_word(header.quality_stage);
+    hud.frame(header);
+  },
+  on_message: message => ({ welcome, stats: values => hud.stats(values), error: tell })[message.type]?.(message),
   on_state: (name, detail) => {
     document.body.dataset.stream = name;
-    if (name === 'live') notices.clear();
+    if (name === 'connecting') document.body.dataset.stage = stage_word(0);
+    if (name === 'live') {
+      notices.clear();
+      wake();
+    }
     if (name === 'waiting') notices.waiting(detail.reason);
     if (name === 'refused') notices.refused(detail, detail.kind === 'cloudscape' ? 'Show another sky' : undefined);
   },
@@ -78,11 +85,11 @@ function welcome(message) {
   }
   panel.refresh();
   // The hello asked for what any server grants; this one may grant more.
-  if (String(size_px()) !== asked) setTimeout(ask_size);
+  if (String(size_px()) !== asked) ask_size();
 }
 
-function tell(message) {
-  if (message.type === 'error') notices.toast(message.message, 6000);
+function tell(error) {
+  notices.toast(error.message, 6000);
 }
 
 // --- start, other skies, links ---
@@ -103,6 +110,7 @@ async function start() {
   start_attempt = 0;
   state.chosen.cloudscape ??= default_cloudscape();
   panel.list(cloudscapes);
+  document.body.classList.add('ready');
   stream.open();
 }
 
@@ -150,7 +158,7 @@ function tick(now_ms) {
   }
   if (moves || panel.playing) changed();
   if (pose_is_due && state.chosen.pose && stream.offer_pose()) pose_is_due = false;
-  const go_on = moves || panel.playing || pose_is_due || gamepad.connected;
+  const go_on = moves || panel.playing || (pose_is_due && stream.connection.is_live) || gamepad.connected;
   frame_request = go_on ? requestAnimationFrame(tick) : null;
 }
 
@@ -158,6 +166,7 @@ function changed() {
   if (!state.chosen.pose) return;  // nothing to steer before the first welcome
   state.chosen.pose = { ...camera.pose, position_m: [...camera.pose.position_m] };
   pose_is_due = true;
+  document.body.dataset.stage = stage_word(0);
   address.touch();
 }
 

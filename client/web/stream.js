@@ -13,6 +13,7 @@ export class Stream {
   #pose_sequence = 0;
   #camera_sent_ms = 0;
   #owed = [];
+  #unsent = {};
   #hidden_timer = null;
 
   // `size_px()` is what to ask for now; `on_state`, `on_message` and `on_frame(header)` tell the page.
@@ -50,18 +51,24 @@ export class Stream {
     return true;
   }
 
+  // Between hello and welcome they wait; a later hello carries them anyway.
   settings(members) {
     if (this.connection.is_live) this.connection.send({ type: 'settings', ...members });
+    else Object.assign(this.#unsent, members);
   }
 
   #hello() {
+    this.#unsent = {};
     this.frames.reset();
     this.#owed = [];
     return hello_message(this.state.chosen, this.size_px());
   }
 
   #message(message) {
-    if (message.type === 'welcome') this.state.welcome(message);
+    if (message.type === 'welcome') {
+      this.state.welcome(message);
+      if (Object.keys(this.#unsent).length) this.settings(this.#unsent);
+    }
     this.on_message(message);
   }
 
