@@ -69,13 +69,18 @@ show_progress() {
   [[ ! -t 2 ]] || printf '\r\033[K' >&2
 }
 
+# show_errors PATTERN LOG: what matters of a log, or its end where nothing looks like it.
+show_errors() {
+  grep -A 8 -m 5 -E "$1" "$2" >&2 || tail -n 10 "$2" >&2
+}
+
 # configure_preset NAME: only where that was not done yet; afterwards ninja sees by itself what changed, but not in the presets.
 configure_preset() {
   local folder=build/$1 log=$log_folder/$1-configure.log
   [[ ! -e $folder/build.ninja || CMakePresets.json -nt $folder/build.ninja ]] || return 0
   say "configuring and building $folder; the first time takes some minutes"
   if ! cmake --preset "$1" >"$log" 2>&1; then
-    grep -A 12 'CMake Error' "$log" | head -n 24 >&2
+    show_errors 'CMake Error' "$log"
     fail "CMake could not configure $folder; the whole log is $log"
   fi
 }
@@ -87,7 +92,7 @@ build_preset() {
   configure_preset "$1"
   shift
   if ! (set -o pipefail && cmake --build "$folder" --parallel "$(build_jobs)" ${1:+--target "$@"} 2>&1 | tee "$log" | show_progress); then
-    grep -A 8 -E 'error:|FAILED:|undefined reference|ninja:' "$log" | head -n 40 >&2
+    show_errors 'error:|FAILED:|undefined reference|ninja:' "$log"
     fail "$folder did not build; the whole log is $log"
   fi
 }
