@@ -3,6 +3,7 @@ import pathlib
 import tempfile
 import unittest
 
+import documents
 import floors
 import proportions
 import shaders
@@ -51,6 +52,7 @@ class SelfTest(unittest.TestCase):
     def test_prose_is_no_call(self):
         self.assert_clean(floors.check, "server/core/a.h", '// As glClear() does.\n/* GL_RGBA\n lws_write( */ auto s = "eglInit()";\n')
         self.assert_clean(floors.check, "server/core/a.h", 'auto s = R"(glClear(0))";\n')
+        self.assert_found(floors.check, "server/core/a.h", "char c = '\"'; int i = glGetError(); char d = '\"';\n", 1)
         self.assert_found(floors.check, "server/core/a.h", 'auto s = "// no comment"; int i = glGetError();\n', 1)
 
     def test_cmake_links_as_the_floors_say(self):
@@ -98,6 +100,15 @@ class SelfTest(unittest.TestCase):
         self.assert_found(shaders.check, "shaders/lib/a.glsl", "float f(float x, out float y) {\n", 1)
         self.assert_found(shaders.check, "shaders/lib/a.glsl", "float f(sampler2D s) {\n", 1)
         self.assert_clean(shaders.check, "shaders/lib/a.glsl", "float about(float outside) { return outside; }\n")
+
+    def test_the_readme_agrees_with_the_tree(self):
+        settings = {"config/server.json": '{\n  // Where.\n  "listen": "127.0.0.1:8080",\n  "drain_s": 10\n}\n'}
+        table = "## Configuration\n\n| key | default |\n|---|---|\n| `listen`, `drain_s` | `auto` |\n"
+        self.assertEqual(self.violations(documents.check, {"README.md": table, **settings}), [])
+        misspelled = table.replace("`drain_s`", "`drain`")
+        self.assertEqual(self.violations(documents.check, {"README.md": misspelled, **settings}), ["README.md:1", "README.md:5"])
+        link = table + "\n[gone](docs/gone.md) [web](https://example.org) [here](config/server.json#listen)\n"
+        self.assertEqual(self.violations(documents.check, {"README.md": link, **settings}), ["README.md:7"])
 
 
 if __name__ == "__main__":

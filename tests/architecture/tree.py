@@ -10,8 +10,8 @@ SCRIPTS = (".py", ".js", ".mjs")
 FOLDERS = ("server", "client", "shaders", "tests")
 NOT_OURS = {"node_modules", "__pycache__", "build"}
 
-# A comment or a string, whichever opens first; raw strings before plain ones.
-HIDDEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^\s()\\]{0,16})\(.*?\)\1"|"(?:\\.|[^"\\\n])*"', re.DOTALL)
+# A comment, a string or a character, whichever opens first; raw strings before plain ones.
+HIDDEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^\s()\\]{0,16})\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.DOTALL)
 
 
 def blank(match):
