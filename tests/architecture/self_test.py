@@ -60,6 +60,9 @@ class SelfTest(unittest.TestCase):
         self.assert_clean(floors.check, path, "cloudscape_library(bake core gpu PRIVATE Threads::Threads)\n")
         self.assert_found(floors.check, path, "\ncloudscape_library(bake core gpu settings)\n", 2)
         self.assert_found(floors.check, path, "cloudscape_library(bake core)\n", 1)
+        self.assert_clean(floors.check, path, "target_link_libraries(bake_check PRIVATE bake gpu)\n")
+        self.assert_found(floors.check, path, "target_link_libraries(bake_check PRIVATE bake net)\n", 1)
+        self.assert_found(floors.check, "server/app/CMakeLists.txt", "target_link_libraries(cloudscape PRIVATE core net)\n", 1)
 
     def test_files_keep_their_length(self):
         self.assert_clean(proportions.check, "server/core/a.cpp", "// A.\n" * 400)
