@@ -12,14 +12,12 @@ constexpr double slow_share = 1.2, fast_share = 0.9;
 
 // tuned: a try of a finer divisor that fails makes the next wait four times as long, up to 20 s at 25 frames a second;
 // one that lasts `proven_frames` has succeeded.
-constexpr int patience_factor = 4, longest_patience = 512, proven_frames = 64;
+constexpr std::size_t patience_factor = 4, longest_patience = 512, proven_frames = 64;
 
 // How much of a frame's time follows its marched pixels; the rest (scene, tone map, readback) is paid at any divisor.
 // All of it is the worst case, so that what fits then is sure to fit. tuned: half of it is a bold guess, for a try that
 // fails costs two slow frames, and one that is never made leaves the picture coarse for good.
 constexpr double sure_share = 1.0, bold_share = 0.5;
-
-constexpr double calm_decay = 0.95;  // tuned: a frame; a heavy view that has passed is forgotten after some 20 frames
 
 // tuned: fractions of the target that a frame may queue; between them quality stays.
 constexpr double congested_share = 0.3, calm_share = 0.1;
@@ -32,53 +30,50 @@ constexpr int calm_acknowledgements = 5, held_acknowledgements = 3;  // tuned; t
 
 void MarchControl::rendered(int divisor, double render_ms) {
   if (divisor != divisor_) return;
-  if (++held_ >= proven_frames && tried_finer_) {
+  recent_ms_[held_++ % recent_ms_.size()] = render_ms;
+  if (held_ >= proven_frames && tried_finer_) {
     tried_finer_ = false;
     patience_ = first_patience;
   }
   if (render_ms > slow_share * target_ms_) return too_slow(render_ms);
   slow_ms_ = 0;
-  fast_enough(render_ms);
+  if (held_ >= first_patience) look_for_finer();
 }
 
 // Two in a row: a single one may be a shader that was compiled, or another program's hiccup.
 void MarchControl::too_slow(double render_ms) {
-  calm_ = 0;
+  if (divisor_ == coarsest_divisor) return;
   if (slow_ms_ == 0) {
     slow_ms_ = render_ms;
     return;
   }
-  const double ms = std::min(slow_ms_, render_ms);
-  int divisor = divisor_;
-  while (divisor < coarsest_divisor &&
-         (divisor == divisor_ || ms * divisor_ * divisor_ > target_ms_ * divisor * divisor))
-    ++divisor;
-  if (tried_finer_ && divisor > divisor_) patience_ = std::min(patience_factor * patience_, longest_patience);
-  tried_finer_ = false;
+  const double marched_ms = std::min(slow_ms_, render_ms) * divisor_ * divisor_;
+  int divisor = divisor_ + 1;
+  while (divisor < coarsest_divisor && marched_ms > target_ms_ * divisor * divisor) ++divisor;
+  if (tried_finer_) patience_ = std::min(patience_factor * patience_, longest_patience);
   change_to(divisor);
 }
 
-void MarchControl::fast_enough(double render_ms) {
-  calm_ms_ = std::max(render_ms, calm_decay * calm_ms_);
+void MarchControl::look_for_finer() {
   const int bold = finest_affordable(bold_share), sure = finest_affordable(sure_share);
-  calm_ = bold < divisor_ ? calm_ + 1 : 0;
-  if (sure < divisor_ && calm_ >= first_patience) return change_to(sure);
-  if (calm_ < patience_) return;
-  change_to(bold);
-  tried_finer_ = true;
+  const int divisor = held_ >= patience_ ? bold : sure;
+  if (divisor == divisor_) return;
+  change_to(divisor);
+  tried_finer_ = divisor < sure;
 }
 
 void MarchControl::change_to(int divisor) {
-  if (divisor != divisor_) held_ = 0;
   divisor_ = divisor;
-  calm_ = 0;
-  calm_ms_ = slow_ms_ = 0;
+  slow_ms_ = 0;
+  held_ = 0;
+  tried_finer_ = false;
 }
 
 int MarchControl::finest_affordable(double marched_share) const {
+  const double slowest_ms = *std::ranges::max_element(recent_ms_);
   const auto predicted_ms = [&](int divisor) {
     const double pixels = static_cast<double>(divisor_ * divisor_) / (divisor * divisor);
-    return calm_ms_ * (1 - marched_share + marched_share * pixels);
+    return slowest_ms * (1 - marched_share + marched_share * pixels);
   };
   for (int divisor = 1; divisor < divisor_; ++divisor)
     if (predicted_ms(divisor) <= fast_share * target_ms_) return divisor;

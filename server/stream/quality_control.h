@@ -1,6 +1,8 @@
 // What a moving frame may cost: how coarsely its clouds are marched, from its render time, and how hard its JPEG is
 // compressed, from the queue in front of the viewer. Both give way fast and return slowly.
 #pragma once
+#include <array>
+#include <cstddef>
 
 namespace cloudscape::stream {
 
@@ -12,20 +14,20 @@ class MarchControl {
   void rendered(int divisor, double render_ms);
 
  private:
+  static constexpr std::size_t first_patience = 8;  // tuned: frames at a divisor before a finer one
+
   void too_slow(double render_ms);
-  void fast_enough(double render_ms);
+  void look_for_finer();
   void change_to(int divisor);
   int finest_affordable(double marched_share) const;
 
   double target_ms_;
   int divisor_ = 1;
-  double slow_ms_ = 0;       // the frame before, if it was too slow
-  double calm_ms_ = 0;       // the slowest of the last frames
-  int calm_ = 0, held_ = 0;  // frames that leave such room; frames at this divisor
-  bool tried_finer_ = false;
-  int patience_ = first_patience;
-
-  static constexpr int first_patience = 8;
+  std::size_t held_ = 0;                            // frames at this divisor
+  std::array<double, first_patience> recent_ms_{};  // of the last of them
+  double slow_ms_ = 0;                              // the frame before, if it was too slow
+  bool tried_finer_ = false;                        // this divisor is a bold try
+  std::size_t patience_ = first_patience;
 };
 
 // jpeg_quality of moving frames.
