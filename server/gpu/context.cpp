@@ -1,3 +1,4 @@
+// The context: its state that never changes (pixel alignment, vertex array), and the debug callback.
 #include "gpu/context.h"
 
 #include "core/error.h"

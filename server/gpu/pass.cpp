@@ -1,3 +1,4 @@
+// Runs passes: what they bind, draw or dispatch, and the barrier after it.
 #include "gpu/pass.h"
 
 #include <algorithm>

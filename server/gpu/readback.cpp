@@ -1,3 +1,4 @@
+// Pixel buffers with fences, and timestamp queries.
 #include "gpu/readback.h"
 
 #include <cstring>
