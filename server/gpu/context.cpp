@@ -18,7 +18,7 @@ namespace {
 
 // Compile errors are thrown where they happen, with the file and line, so the driver's own message repeats them.
 void APIENTRY on_message(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
-                           const void* errors) {
+                         const void* errors) {
   const std::string_view message(text, static_cast<std::size_t>(length));
   if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
   if (source == GL_DEBUG_SOURCE_SHADER_COMPILER || type == GL_DEBUG_TYPE_PERFORMANCE || type == GL_DEBUG_TYPE_OTHER) {

@@ -25,7 +25,7 @@ bool is_software_renderer(const std::string& renderer) {
 OpenDevice try_open(const EglDevice& device) {
   OpenDevice open;
   open.info.index = device.index;
-  open.info.drm_file = device.drm_file;
+  if (!device.drm_files.empty()) open.info.drm_file = device.drm_files.front();
   open.info.software = device.says_software;
   try {
     open.context = std::make_unique<EglContext>(device);
@@ -67,23 +67,28 @@ std::vector<EglDevice> matching(const std::vector<EglDevice>& devices, const std
   int index = -1;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
   const bool is_index = error == std::errc() && end == name.data() + name.size();
-  for (const EglDevice& device : devices)
-    if (is_index ? device.index == index : device.drm_file == name && !name.empty()) matches.push_back(device);
+  for (const EglDevice& device : devices) {
+    const bool has_file = std::ranges::find(device.drm_files, name) != device.drm_files.end();
+    if (is_index ? device.index == index : has_file) matches.push_back(device);
+  }
   return matches;
 }
 
-// The first that is wanted; for `auto` a GPU before any software device.
-OpenDevice first_wanted(const std::vector<EglDevice>& candidates, const ContextOptions& options) {
-  OpenDevice second_best;
+bool fits(const DeviceInfo& device, const ContextOptions& options) {
+  if (options.require_gpu && device.software) return false;
+  return options.device != "software" || device.software;
+}
+
+// The first that fits; for `auto` a GPU before any software device.
+OpenDevice first_fitting(const std::vector<EglDevice>& candidates, const ContextOptions& options) {
+  OpenDevice software;
   for (const EglDevice& candidate : candidates) {
     OpenDevice open = try_open(candidate);
-    if (!open.context) continue;
-    const bool kind_fits = options.device == "software" ? open.info.software : !open.info.software;
-    const bool named = options.device != "auto" && options.device != "software";
-    if (kind_fits || (named && !options.require_gpu)) return open;
-    if (options.device == "auto" && !options.require_gpu && !second_best.context) second_best = std::move(open);
+    if (!open.context || !fits(open.info, options)) continue;
+    if (!open.info.software || options.device != "auto") return open;
+    if (!software.context) software = std::move(open);
   }
-  return second_best;
+  return software;
 }
 
 [[noreturn]] void refuse(const ContextOptions& options, bool any_match) {
@@ -107,10 +112,13 @@ std::vector<DeviceInfo> enumerate_devices() {
 }
 
 OpenDevice open_device(const ContextOptions& options) {
-  const std::vector<EglDevice> candidates = matching(list_egl_devices(), options.device);
-  const bool can_fit = !(options.device == "software" && options.require_gpu);
-  OpenDevice open = can_fit ? first_wanted(candidates, options) : OpenDevice{};
-  if (!open.context) refuse(options, !candidates.empty() || options.device == "auto" || options.device == "software");
+  OpenDevice open;
+  {
+    const CurrentContextGuard guard;  // a refusal leaves the thread as it was
+    const std::vector<EglDevice> candidates = matching(list_egl_devices(), options.device);
+    open = first_fitting(candidates, options);
+    if (!open.context) refuse(options, !candidates.empty() || options.device == "auto" || options.device == "software");
+  }
   open.context->make_current();
   return open;
 }

@@ -61,12 +61,12 @@ void require_device_platform() {
 EglDevice describe_device(EGLDeviceEXT handle, int index) {
   const auto query_string = entry_point<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
   const char* extensions = query_string(handle, EGL_EXTENSIONS);
-  EglDevice device{handle, index, "", has_extension(extensions, "EGL_MESA_device_software")};
-  // The render node is what people name, and what a container is given; not every driver tells it.
+  EglDevice device{handle, index, {}, has_extension(extensions, "EGL_MESA_device_software")};
+  // The render node is what a container is given, the card what people find; not every driver tells them.
   for (const auto& [extension, name] : {std::pair{"EGL_EXT_device_drm_render_node", EGL_DRM_RENDER_NODE_FILE_EXT},
                                         std::pair{"EGL_EXT_device_drm", EGL_DRM_DEVICE_FILE_EXT}}) {
     const char* file = has_extension(extensions, extension) ? query_string(handle, name) : nullptr;
-    if (file != nullptr && device.drm_file.empty()) device.drm_file = file;
+    if (file != nullptr) device.drm_files.emplace_back(file);
   }
   eglGetError();  // a string that a driver does not have is no failure of what comes next
   return device;

@@ -9,10 +9,10 @@
 namespace cloudscape::gpu {
 
 struct EglDevice {
-  void* handle = nullptr;      // EGLDeviceEXT
-  int index = 0;               // as EGL lists it
-  std::string drm_file;        // "" where it has none
-  bool says_software = false;  // EGL_MESA_device_software; only the renderer's name is certain
+  void* handle = nullptr;              // EGLDeviceEXT
+  int index = 0;                       // as EGL lists it
+  std::vector<std::string> drm_files;  // the render node first; often none
+  bool says_software = false;          // EGL_MESA_device_software; only the renderer's name is certain
 };
 
 // In EGL's order. Throws Error where EGL cannot list devices.

@@ -94,8 +94,8 @@ bool read_file(const fs::path& path, std::string& text) {
 }
 
 fs::file_time_type newest_in(const fs::path& folder) {
-  fs::file_time_type newest{};
-  std::error_code ignored;  // a file may vanish while an editor replaces it
+  fs::file_time_type newest = fs::file_time_type::min();  // the epoch of that clock lies ahead, in 2174
+  std::error_code ignored;                                // a file may vanish while an editor replaces it
   for (fs::recursive_directory_iterator it(folder, ignored), end; it != end; it.increment(ignored)) {
     const auto time = it->last_write_time(ignored);
     if (!ignored && it->is_regular_file(ignored)) newest = std::max(newest, time);
@@ -134,7 +134,7 @@ ShaderLibrary::ShaderLibrary(fs::path folder) : folder_(std::move(folder)) {
 ShaderSource ShaderLibrary::load(const std::string& path, const std::string& prologue,
                                  const std::string& epilogue) const {
   ShaderSource source;
-  Expansion expansion(source, [this](const std::string& file, std::string& text) { return read(file, text); });
+  Expansion expansion(source, [this](const std::string& file, std::string& text) { return find_text(file, text); });
   expansion.add_text("(version)", "#version 450 core\n");
   expansion.add_text("(prologue)", prologue);
   expansion.add_file(path);
@@ -153,13 +153,19 @@ std::vector<std::string> ShaderLibrary::paths() const {
   return found;
 }
 
+std::string ShaderLibrary::read(const std::string& path) const {
+  std::string text;
+  if (!find_text(path, text)) throw Error("the shader file '" + path + "' is missing");
+  return text;
+}
+
 bool ShaderLibrary::changed() {
   if (folder_.empty()) return false;
   const auto newest = newest_in(folder_);
   return std::exchange(newest_, newest) != newest;
 }
 
-bool ShaderLibrary::read(const std::string& path, std::string& text) const {
+bool ShaderLibrary::find_text(const std::string& path, std::string& text) const {
   if (!folder_.empty()) return inside_root(path) && read_file(folder_ / path, text);
   const EmbeddedFile* file = find(embedded_shaders, path);
   if (file != nullptr) text = file->bytes;

@@ -1,5 +1,6 @@
 #include "gpu/texture.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/error.h"
@@ -19,7 +20,16 @@ std::string size_text(int width, int height, int depth) {
 }
 
 // `depth` 0: 2D.
+bool fits_the_device(int width, int height, int depth) {
+  GLint limit = 0;
+  glGetIntegerv(depth == 0 ? GL_MAX_TEXTURE_SIZE : GL_MAX_3D_TEXTURE_SIZE, &limit);
+  return width >= 1 && height >= 1 && std::max({width, height, depth}) <= limit;
+}
+
 GLuint make_texture(Format format, int width, int height, int depth, const std::string& label) {
+  const Error refusal("the device cannot make the texture '" + label + "' of " + size_text(width, height, depth) +
+                      " texels in " + name_of(format) + ": choose another size");
+  if (!fits_the_device(width, height, depth)) throw refusal;
   GLuint id = 0;
   forget_errors();
   glCreateTextures(depth == 0 ? GL_TEXTURE_2D : GL_TEXTURE_3D, 1, &id);
@@ -30,8 +40,7 @@ GLuint make_texture(Format format, int width, int height, int depth, const std::
     glTextureStorage3D(id, 1, row_of(format).internal, width, height, depth);
   if (glGetError() == GL_NO_ERROR) return id;
   glDeleteTextures(1, &id);
-  throw Error("the device cannot make the texture '" + label + "' of " + size_text(width, height, depth) +
-              " texels in " + name_of(format) + ": choose a smaller size");
+  throw refusal;
 }
 
 }  // namespace

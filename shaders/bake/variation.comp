@@ -4,7 +4,7 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/bake_block.glsl"
 #include "lib/perlin.glsl"
 #include "lib/shape.glsl"
-layout(binding = 0, rgba8) uniform writeonly image3D target;
+layout(binding = 0, rgba16f) uniform writeonly image3D target;
 
 // Four lattice cells a period (core: wavelength_m is a quarter of the map's period), three octaves.
 float slow_noise(vec2 position, float slice) {

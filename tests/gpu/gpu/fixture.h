@@ -16,18 +16,26 @@ namespace cloudscape::gpu {
 
 class GpuTest : public testing::Test {
  protected:
-  static Context& context() {
-    static Context shared{ContextOptions{}};
-    return shared;
+  GpuTest() {
+    if (!shared_) shared_ = std::make_unique<Context>(ContextOptions{});
+    errors_before_ = shared_->gl_errors();
   }
-  void SetUp() override { errors_before_ = context().gl_errors(); }
+  static const Context& context() { return *shared_; }
   void TearDown() override {
-    context().finish();
-    EXPECT_EQ(context().gl_errors(), errors_before_) << "OpenGL reported errors (see the log)";
+    shared_->finish();
+    EXPECT_EQ(shared_->gl_errors(), errors_before_) << "OpenGL reported errors (see the log)";
   }
 
  private:
+  friend class OwnContextTest;
+  static inline std::unique_ptr<Context> shared_;
   int errors_before_ = 0;
+};
+
+// For tests that make a context themselves: a thread has one at a time.
+class OwnContextTest : public testing::Test {
+ protected:
+  OwnContextTest() { GpuTest::shared_.reset(); }
 };
 
 // Removed at its end.

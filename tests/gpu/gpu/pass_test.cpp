@@ -32,7 +32,6 @@ struct Targets {
 class PassTest : public GpuTest {
  protected:
   ScreenPass make(PassExecution execution, const std::string& text, std::vector<Format> formats) {
-    context();
     folder_.write("pass.glsl", text);
     return {execution, library_, "pass.glsl", std::move(formats)};
   }
