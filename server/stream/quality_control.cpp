@@ -26,7 +26,7 @@ constexpr double congested_share = 0.3, calm_share = 0.1;
 constexpr double slow_interval_share = 0.7, fast_interval_share = 0.55;
 constexpr int lowest_quality = 55, highest_quality = 85;  // tuned: blocks begin to show; more bytes show nothing
 constexpr int quality_steps_down = 12;                    // tuned: at once, at most; a third of the bytes
-constexpr double bytes_per_quality = 0.02;                // share; measured on clouds between 55 and 85
+constexpr double bytes_per_quality = 0.02;                // share; libjpeg-turbo, 720p clouds: 30 KB at 50, 75 KB at 90
 constexpr int calm_acknowledgements = 5, held_acknowledgements = 3;  // tuned; those under way tell of the old quality
 
 }  // namespace
