@@ -116,6 +116,24 @@ TEST_F(WindowTest, decoding_is_no_part_of_the_round_trip_whatever_the_viewer_cla
   }
 }
 
+TEST_F(WindowTest, motion_behind_a_refined_frame_tells_nothing_of_the_way) {
+  const auto stream = scheduler.open(looking(0));
+  show(*take());
+  ASSERT_EQ(scheduler.stats(stream).round_trip_ms, 0);
+  pass(200);
+  const auto refined = take();
+  send(*refined);
+  scheduler.update(stream, looking(1));
+  const auto moving = take();
+  send(*moving);
+  pass(3000);
+  scheduler.acknowledge(stream, refined->frame_id, 0);
+  scheduler.acknowledge(stream, moving->frame_id, 0);
+  scheduler.update(stream, looking(2));
+  EXPECT_EQ(take()->encoding.jpeg_quality, 78);
+  EXPECT_EQ(scheduler.stats(stream).round_trip_ms, 0);
+}
+
 TEST_F(WindowTest, stalled_viewer_with_drops_is_not_rendered_for_without_end) {
   const auto stream = scheduler.open(looking(0));
   widen(stream);
