@@ -87,9 +87,9 @@ bool is_long(const std::string& text) { return text.size() > 60; }
 std::string row(const std::string& key, const ordered_json& property) {
   const std::string fallback = default_of(property);
   return "| `" + key + "` | " + value_text(property) + " | " +
-         (fallback.empty() ? ""
-          : long_default   ? "see below"
-                           : "`" + fallback + "`") +
+         (fallback.empty()    ? ""
+          : is_long(fallback) ? "see below"
+                              : "`" + fallback + "`") +
          " | " + property.value("description", "") + " |\n";
 }
 
