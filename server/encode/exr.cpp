@@ -1,41 +1,21 @@
 // EXR through OpenEXR: scan lines, channels R G B A Z, ZIP compression.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <exception>
 
 #include "core/error.h"
 #include "encode/exr_attributes.h"
 #include "encode/formats.h"
+#include "encode/memory_file.h"
 
 namespace cloudscape::encode {
 namespace {
 
 constexpr std::array<const char*, 5> channels{"R", "G", "B", "A", "Z"};
-
-// A file in memory behind `front` bytes. OpenEXR seeks back to fill in its table of line offsets.
-class MemoryFile : public Imf::OStream {
- public:
-  explicit MemoryFile(std::size_t front) : OStream("memory"), bytes(front), front_(front) {}
-  void write(const char data[], int size) override {
-    const std::size_t end = front_ + position_ + size;
-    if (end > bytes.size()) bytes.resize(end);
-    std::memcpy(bytes.data() + front_ + position_, data, size);
-    position_ += size;
-  }
-  std::uint64_t tellp() override { return position_; }
-  void seekp(std::uint64_t position) override { position_ = position; }
-  Bytes bytes;
-
- private:
-  std::size_t front_;
-  std::uint64_t position_ = 0;
-};
 
 // A finite value beyond half's range would become infinite, which in Z says "sky" and in a filter spoils its
 // neighbours; it is clamped instead. Infinity itself is kept.

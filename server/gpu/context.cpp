@@ -1,3 +1,4 @@
+// The context: its state that never changes (pixel alignment, vertex array), and the debug callback.
 #include "gpu/context.h"
 
 #include "core/error.h"
@@ -43,6 +44,12 @@ PassExecution resolved(PassExecution wanted, const DeviceInfo& device) {
   return device.software ? PassExecution::fragment : PassExecution::compute;
 }
 
+void log_choice(const DeviceInfo& device, PassExecution execution) {
+  log::info("rendering on {} ({}, OpenGL {}), EGL device {}{}{}, screen passes as {} shaders", device.renderer,
+            device.software ? "software" : "GPU", device.gl_version, device.index, device.drm_file.empty() ? "" : " ",
+            device.drm_file, execution == PassExecution::compute ? "compute" : "fragment");
+}
+
 }  // namespace
 
 PassExecution pass_execution_from(const std::string& name) {
@@ -61,9 +68,7 @@ Context::Context(const ContextOptions& options) : state_(std::make_unique<State>
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glDisable(GL_DITHER);  // on by default; passes dither for themselves
-  log::info("rendering on {} ({}, OpenGL {}), screen passes as {} shaders", device().renderer,
-            device().software ? "software" : "GPU", device().gl_version,
-            execution() == PassExecution::compute ? "compute" : "fragment");
+  log_choice(device(), execution());
 }
 
 Context::~Context() {

@@ -1,3 +1,4 @@
+// Opens devices in turn until one fits, and words the refusal where none does.
 #include "gpu/device_choice.h"
 
 #include <algorithm>

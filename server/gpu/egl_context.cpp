@@ -1,3 +1,4 @@
+// Every EGL call: extensions, devices, displays that are counted, and contexts without a surface.
 #include "gpu/egl_context.h"
 
 #include <EGL/egl.h>

@@ -1,3 +1,4 @@
+// The table of texture formats.
 #include "gpu/format.h"
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+// Runs passes: what they bind, draw or dispatch, and the barrier after it.
 #include "gpu/pass.h"
 
 #include <algorithm>
@@ -107,7 +108,7 @@ void ScreenPass::reload(ShaderLibrary& shaders) {
   }
 }
 
-void ScreenPass::check(std::span<const Texture* const> targets) const {
+void ScreenPass::check(std::span<const Texture* const> targets, std::span<const Binding> textures) const {
   if (targets.size() != formats_.size())
     throw Error("the screen pass '" + path_ + "' writes " + std::to_string(formats_.size()) + " targets, not " +
                 std::to_string(targets.size()));
@@ -118,11 +119,14 @@ void ScreenPass::check(std::span<const Texture* const> targets) const {
                   ": must be " + name_of(formats_[i]));
     if (target.width() != targets[0]->width() || target.height() != targets[0]->height())
       throw Error("the targets of the screen pass '" + path_ + "' differ in size");
+    // Undefined in OpenGL, and it comes out differently in the two executions.
+    if (std::ranges::any_of(textures, [&](const Binding& binding) { return binding.texture == &target; }))
+      throw Error("the screen pass '" + path_ + "' reads target " + std::to_string(i) + ", which it writes");
   }
 }
 
 void ScreenPass::run(Rect rect, std::span<const Texture* const> targets, std::span<const Binding> textures) const {
-  check(targets);
+  check(targets, textures);
   const Rect area = clipped(rect, *targets[0]);
   if (area.width <= 0 || area.height <= 0) return;
   glUseProgram(program_.id());

@@ -46,8 +46,8 @@ class ScreenPass {
   ScreenPass(const Context& context, ShaderLibrary& shaders, const std::string& path, std::vector<Format> targets);
   // With one execution, whatever the context prefers, to compare them.
   ScreenPass(PassExecution execution, ShaderLibrary& shaders, const std::string& path, std::vector<Format> targets);
-  // Shades the pixels of `rect` (clipped to the targets, all of one size). Uniform blocks are bound by the caller
-  // (UniformBlock::bind). Makes what it wrote visible to later passes.
+  // Shades the pixels of `rect` (clipped to the targets, which all have one size, and none of which is read). Uniform
+  // blocks are bound by the caller (UniformBlock::bind). Makes what it wrote visible to later passes.
   void run(Rect rect, std::span<const Texture* const> targets, std::span<const Binding> textures) const;
   // Compiles the shader anew; if that fails the old program stays and the error is logged.
   void reload(ShaderLibrary& shaders);
@@ -55,7 +55,7 @@ class ScreenPass {
 
  private:
   Program build(ShaderLibrary& shaders) const;
-  void check(std::span<const Texture* const> targets) const;
+  void check(std::span<const Texture* const> targets, std::span<const Binding> textures) const;
   std::string path_;
   std::vector<Format> formats_;
   PassExecution execution_;

@@ -1,3 +1,4 @@
+// Writes the wrappers' GLSL.
 #include "gpu/pass_wrapper.h"
 
 namespace cloudscape::gpu {

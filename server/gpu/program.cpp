@@ -1,3 +1,4 @@
+// Compiles and links, with the driver's log explained; asks the driver how it laid a block out.
 #include <algorithm>
 #include <array>
 #include <utility>

@@ -1,3 +1,4 @@
+// Lists the programs that the shader files make, and runs the validator on each.
 #include "gpu/shader_check.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Expands includes and keeps the line map; reads from the program or from a folder.
 #include "gpu/shader_source.h"
 
 #include <algorithm>

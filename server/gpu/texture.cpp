@@ -1,3 +1,4 @@
+// Textures and uniform buffers by direct state access.
 #include "gpu/texture.h"
 
 #include <algorithm>

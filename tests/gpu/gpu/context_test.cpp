@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <iostream>
 
 #include "core/error.h"
 #include "fixture.h"
@@ -92,6 +94,31 @@ TEST_F(OwnContextTest, CountsTheErrorsOfTheDebugCallback) {
   EXPECT_EQ(context.gl_errors(), 0);
   buffer.bind(1 << 20);  // far above GL_MAX_UNIFORM_BUFFER_BINDINGS
   EXPECT_EQ(context.gl_errors(), 1);
+}
+
+// In a child process, since EGL reads its environment once.
+void expect_refusal_in(const char* variable, const char* value, const char* device, const char* expected) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto refuse_and_exit = [&] {
+    setenv(variable, value, 1);
+    std::cerr << refusal(device);
+    std::exit(0);
+  };
+  EXPECT_EXIT(refuse_and_exit(), testing::ExitedWithCode(0), expected);
+}
+
+TEST(ContextDeathTest, WithoutADriverTheSentenceSaysWhatToInstall) {
+  expect_refusal_in("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent", "auto", "install libegl1 with libegl-mesa0");
+}
+
+TEST(ContextDeathTest, ADeviceThatFailsIsListedWithItsReason) {
+  const char* mesa = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
+  if (!std::filesystem::exists(mesa)) GTEST_SKIP() << "Mesa's EGL is not installed";
+  setenv("__EGL_VENDOR_LIBRARY_FILENAMES", mesa, 1);
+  expect_refusal_in("LIBGL_DRIVERS_PATH", "/nonexistent", "auto",
+                    "'auto' cannot be used: the devices are '0'.* not usable, eglInitialize failed .EGL_NOT_INIT");
+  expect_refusal_in("MESA_GL_VERSION_OVERRIDE", "4.2", "0", "'0' cannot be used: .*OpenGL 4.5 core context failed");
+  unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
 }
 
 TEST(DescribeDevices, SaysWhichWorkAndWhyTheOthersDoNot) {

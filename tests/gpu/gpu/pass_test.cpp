@@ -88,6 +88,12 @@ TEST_P(BothExecutions, RefusesTargetsThatDoNotFit) {
   EXPECT_THROW(pass.run({0, 0, 8, 8}, targets.list(), {}), Error);
   const std::array<const Texture*, 1> one = {&targets.colour};
   EXPECT_THROW(pass.run({0, 0, 8, 8}, one, {}), Error);
+  const Texture larger(Format::rgba16f, 38, 21, "larger"), fitting(Format::rgba16f, 37, 21, "fitting");
+  const std::array<const Texture*, 2> unequal = {&targets.colour, &larger}, good = {&targets.colour, &fitting};
+  EXPECT_THROW(pass.run({0, 0, 8, 8}, unequal, {}), Error);
+  const std::array read_back = {Binding{0, &fitting}};
+  EXPECT_THROW(pass.run({0, 0, 8, 8}, good, read_back), Error);
+  EXPECT_NO_THROW(pass.run({0, 0, 8, 8}, good, {}));
 }
 
 TEST_F(PassTest, ComputeAndFragmentWriteTheSameBytes) {

@@ -1,0 +1,256 @@
+// Wires the page: inputs move the camera, the camera feeds the stream, the stream feeds the canvas and the figures.
+
+import { explain, list_cloudscapes } from './api.js';
+import { FlightCamera, sum_intents } from './camera.js';
+import { wait_ms } from './connection.js';
+import { Display } from './display.js';
+import { Hud, Measures, stage_word } from './hud.js';
+import { GamepadInput } from './input_gamepad.js';
+import { KeyboardInput } from './input_keyboard.js';
+import { MouseInput } from './input_mouse.js';
+import { TouchInput, TouchStick } from './input_touch.js';
+import { Notices } from './notices.js';
+import { Panel } from './panel.js';
+import { Stills } from './still.js';
+import { StillPanel } from './still_panel.js';
+import { Store } from './store.js';
+import { Stream } from './stream.js';
+import { budget_px, stream_size_px } from './stream_size.js';
+import { AddressBar, parse_fragment } from './url_state.js';
+import { ViewState } from './view_state.js';
+
+const usual_cloudscape = 'fair-weather-cumulus';
+const resize_quiet_ms = 150;       // a dragged window edge asks for a size only when it rests
+const lock_deg_per_px = 0.1;       // tuned: a hand's width of mouse turns a half circle
+const steepest_gain = 4;           // near the zenith a dragged point would turn the camera without end
+const turn_rate_per_fov = 1.1;     // a key turns by about a picture's height in a second
+const software_guess = { software: true, max_size_px: [1280, 720] };  // until the welcome tells
+
+const $ = id => document.getElementById(id);
+const store = new Store();
+const state = new ViewState();
+const measures = new Measures();
+const camera = new FlightCamera({ position_m: [0, 0, 2], azimuth_deg: 0, elevation_deg: 10, roll_deg: 0 });
+let server = software_guess;
+let cloudscapes = [];
+let pose_is_due = false;
+
+if (matchMedia('(prefers-reduced-motion: reduce)').matches) camera.smoothing_s = 0;
+
+// --- size ---
+const window_size_px = () => [innerWidth, innerHeight].map(side => Math.round(side * devicePixelRatio));
+const size_px = () => stream_size_px({
+  width_css: innerWidth, height_css: innerHeight, device_pixel_ratio: devicePixelRatio,
+  budget: budget_px(store.get('resolution'), server.software), max_size_px: server.max_size_px,
+});
+const ask_size = () => stream.settings({ size_px: size_px() });
+
+// --- the stream and what it tells ---
+const notices = new Notices({
+  toast: $('toast'), notice: $('notice'),
+  on_again: kind => (kind === 'cloudscape' ? open_cloudscape(default_cloudscape()) : start()),
+  on_token: token => {
+    store.token = token;
+    start();
+  },
+});
+const hud = new Hud({ root: $('hud'), measures });
+const stream = new Stream({
+  state, measures, size_px, display: new Display($('sky')), token: () => store.token,
+  on_frame: header => {
+    document.body.dataset.stage = stage_word(header.quality_stage);
+    hud.frame(header);
+  },
+  on_message: message => ({ welcome, stats: values => hud.stats(values), error: tell })[message.type]?.(message),
+  on_state: (name, detail) => {
+    document.body.dataset.stream = name;
+    if (name === 'connecting') document.body.dataset.stage = stage_word(0);
+    if (name === 'live') {
+      notices.clear();
+      wake();
+    }
+    if (name === 'waiting') notices.waiting(detail.reason);
+    if (name === 'refused') notices.refused(detail, detail.kind === 'cloudscape' ? 'Show another sky' : undefined);
+  },
+});
+
+function welcome(message) {
+  const asked = String(size_px());
+  server = message;
+  hud.renderer(message);
+  if (!state.chosen.pose) {
+    state.chosen.pose = message.pose;
+    camera.place(message.pose);
+    address.write('replaceState');
+  }
+  panel.refresh();
+  // The hello asked for what any server grants; this one may grant more.
+  if (String(size_px()) !== asked) ask_size();
+}
+
+function tell(error) {
+  notices.toast(error.message, 6000);
+}
+
+// --- start, other skies, links ---
+const default_cloudscape = () => (cloudscapes.find(({ name }) => name === usual_cloudscape) ?? cloudscapes[0])?.name;
+
+let start_attempt = 0, start_timer = null;
+async function start() {
+  clearTimeout(start_timer);
+  try {
+    cloudscapes = await list_cloudscapes(store.token);
+  } catch (error) {
+    const cause = explain(error);
+    if (!cause.retry) return notices.refused(cause);
+    notices.waiting(cause.message);
+    start_timer = setTimeout(start, Math.max(wait_ms(start_attempt++), (cause.wait_s ?? 0) * 1000));
+    return;
+  }
+  start_attempt = 0;
+  state.chosen.cloudscape ??= default_cloudscape();
+  panel.list(cloudscapes);
+  document.body.classList.add('ready');
+  stream.open();
+}
+
+function open_cloudscape(name) {
+  address.write('replaceState');
+  state.open(name);
+  address.write('pushState');
+  panel.toggle_play(false);
+  panel.refresh();
+  stream.open();
+}
+
+function follow_link() {
+  const { chosen, token } = parse_fragment(location.hash);
+  if (token) store.token = token;
+  state.chosen = { time_s: 0, ...chosen, cloudscape: chosen.cloudscape ?? state.chosen.cloudscape };
+  if (chosen.pose) camera.place(chosen.pose);
+  if (token) address.write('replaceState');  // the token leaves the visible address at once
+  panel.refresh();
+}
+
+const address = new AddressBar({ window, read: () => state.chosen });
+addEventListener('hashchange', () => {
+  follow_link();
+  if (cloudscapes.length) stream.open();
+  else start();
+});
+
+// --- flight ---
+let frame_request = null, last_ms = 0;
+function wake() {
+  if (frame_request !== null) return;
+  last_ms = performance.now();
+  frame_request = requestAnimationFrame(tick);
+}
+
+function tick(now_ms) {
+  const dt_s = Math.max(0, Math.min(0.1, (now_ms - last_ms) / 1000));
+  last_ms = Math.max(last_ms, now_ms);
+  camera.turn_rate_deg_per_s = turn_rate_per_fov * state.get('vertical_fov_deg');
+  const moves = camera.step(dt_s, sum_intents(inputs.map(input => input.intent(dt_s))));
+  if (panel.playing) {
+    state.chosen.time_s = (state.chosen.time_s ?? 0) + dt_s * panel.rate;
+    panel.show_time();
+  }
+  if (moves || panel.playing) changed();
+  if (pose_is_due && state.chosen.pose && stream.offer_pose()) pose_is_due = false;
+  const go_on = moves || panel.playing || (pose_is_due && stream.connection.is_live) || gamepad.connected;
+  frame_request = go_on ? requestAnimationFrame(tick) : null;
+}
+
+function changed() {
+  if (!state.chosen.pose) return;  // nothing to steer before the first welcome
+  state.chosen.pose = { ...camera.pose, position_m: [...camera.pose.position_m] };
+  pose_is_due = true;
+  document.body.dataset.stage = stage_word(0);
+  address.touch();
+}
+
+// A drag holds the sky: the view turns against the finger, by the angle that it passed over.
+function look(right_px, up_px, locked) {
+  const deg_per_px = state.get('vertical_fov_deg') / innerHeight;
+  const lean = Math.min(steepest_gain, 1 / Math.max(1e-3, Math.cos(camera.pose.elevation_deg * Math.PI / 180)));
+  if (locked) camera.look(right_px * lock_deg_per_px, up_px * lock_deg_per_px);
+  else camera.look(-right_px * deg_per_px * lean, -up_px * deg_per_px);
+  changed();
+  wake();
+}
+
+function change_speed(factor) {
+  camera.change_speed(factor);
+  const speed = camera.speed_m_per_s;
+  notices.toast(`Speed ${speed < 10 ? speed.toFixed(1) : Math.round(speed)} m/s`);
+}
+
+// --- panel and inputs ---
+const panel = new Panel({
+  root: $('panel'), state,
+  on_cloudscape: open_cloudscape, on_clock: wake,
+  on_choose: members => {
+    stream.settings(state.choose(members));
+    address.touch();
+  },
+  on_resolution: choice => {
+    store.set('resolution', choice);
+    ask_size();
+  },
+});
+const stills = new Stills({ state, token: () => store.token, window_size_px });
+const still_panel = new StillPanel({ root: $('panel'), stills, window_size_px });
+
+function toggle_panel(shown = document.body.classList.contains('no-panel')) {
+  document.body.classList.toggle('no-panel', !shown);
+  $('panel').inert = !shown;
+  // Focus must not stay on something that is gone.
+  if (!shown && $('panel').contains(document.activeElement)) $('show').focus();
+}
+const toggle_hud = () => store.set('hud', document.body.classList.toggle('no-hud') ? 'off' : 'on');
+const toggle_fullscreen = () =>
+  (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.());
+const reset = () => open_cloudscape(state.chosen.cloudscape);
+async function copy_link() {
+  address.write('replaceState');
+  // Without a secure context there is no clipboard: the address bar holds the same link.
+  await (navigator.clipboard?.writeText(location.href) ?? Promise.reject(new Error('no clipboard')))
+    .then(() => notices.toast('Link copied'), () => notices.toast('The link is in the address bar', 4000));
+}
+
+const mouse = new MouseInput({
+  surface: $('sky'), on_look: look, on_speed: change_speed,
+  on_lock: locked => notices.toast(locked ? 'Mouse look: Escape or L ends it' : 'Mouse look ended'),
+});
+const keyboard = new KeyboardInput({
+  window, on_active: wake,
+  commands: {
+    KeyH: toggle_panel, KeyI: toggle_hud, KeyF: toggle_fullscreen, KeyR: reset, KeyL: () => mouse.toggle_lock(),
+    Space: () => panel.toggle_play(),
+  },
+});
+const touch = new TouchInput({ surface: $('sky'), on_look: look, on_active: wake });
+const stick = new TouchStick({ stick: $('stick'), knob: $('knob'), on_active: wake });
+const gamepad = new GamepadInput({ window, on_active: wake, on_speed: change_speed });
+const inputs = [keyboard, touch, stick, gamepad];
+
+for (const [id, action] of Object.entries({
+  show: () => toggle_panel(true), hide: () => toggle_panel(false), lock: () => mouse.toggle_lock(),
+  fullscreen: toggle_fullscreen, reset, copy: copy_link,
+})) $(id).addEventListener('click', action);
+
+let resize_timer = null;
+addEventListener('resize', () => {
+  clearTimeout(resize_timer);
+  resize_timer = setTimeout(() => {
+    ask_size();
+    still_panel.refresh();
+  }, resize_quiet_ms);
+});
+
+toggle_panel(!matchMedia('(max-width: 600px)').matches);
+document.body.classList.toggle('no-hud', store.get('hud') === 'off');
+panel.resolution.value = store.get('resolution') ?? 'automatic';
+follow_link();
+start();

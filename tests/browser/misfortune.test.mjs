@@ -1,0 +1,125 @@
+// The page where things go wrong, against a server that does so on demand.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start_fake_server } from './fake_server.mjs';
+import { open_page, start_browser } from './subject.mjs';
+
+let browser;
+before(async () => {
+  browser = await start_browser();
+});
+after(() => browser?.close());
+
+async function open(t, options, fragment = '', context = {}) {
+  const server = await start_fake_server(options);
+  const opened = await open_page(browser, server.url + fragment, context);
+  t.after(async () => {
+    await opened.close();
+    await server.stop();
+  });
+  return { server, ...opened };
+}
+const notice = (page, kind) => page.waitForSelector(`#notice[data-kind=${kind}]:not([hidden])`);
+const live = page => page.waitForFunction(() => document.body.dataset.stream === 'live');
+
+test('an unknown sky is named, and another one is offered', async t => {
+  const { server, page } = await open(t, { fatal: { message: 'There is no cloudscape "x".', pointer: '/cloudscape' } }, '#cloudscape=x');
+  await notice(page, 'cloudscape');
+  assert.match(await page.locator('#notice').innerText(), /There is no cloudscape "x"/);
+  delete server.options.fatal;
+  await page.locator('#again').click();
+  await live(page);
+  assert.deepEqual(server.log.hellos.map(hello => hello.cloudscape), ['x', 'fair-weather-cumulus']);
+});
+
+test('a protocol error is told and not tried again by itself', async t => {
+  const { server, page } = await open(t, { fatal: { message: 'Version 1 is not served.', pointer: '/version' } });
+  await notice(page, 'protocol');
+  await page.waitForTimeout(1500);
+  assert.equal(server.log.hellos.length, 1);
+});
+
+test('a full server is waited for', async t => {
+  const { server, page } = await open(t, { full: true });
+  await notice(page, 'waiting');
+  assert.match(await page.locator('#notice').innerText(), /no further viewer/);
+  server.options.full = false;
+  await page.locator('#again').click();
+  await live(page);
+  await page.waitForSelector('#notice', { state: 'hidden' });
+});
+
+test('a refused still shows the server\'s sentence, and a running one can be stopped', async t => {
+  const { server, page } = await open(t, { still_error: 'The picture is too large: at most 4096 pixels a side.' });
+  await live(page);
+  await page.click('#still_open');
+  await page.click('#still_save');
+  await page.waitForSelector('#still_message.failed');
+  assert.match(await page.locator('#still_message').textContent(), /at most 4096 pixels/);
+  Object.assign(server.options, { still_error: undefined, still_ms: 30000 });
+  await page.click('#still_save');
+  await page.waitForSelector('#still_progress', { state: 'visible' });
+  await page.click('#still_save');
+  await page.waitForFunction(() => document.querySelector('#still_save').textContent === 'Save');
+});
+
+test('every frame is acknowledged once, and a view at rest is quiet', async t => {
+  const { server, page } = await open(t, {});
+  await page.waitForFunction(() => document.body.dataset.stage === 'finished');
+  await page.waitForTimeout(300);
+  const ids = server.log.acks.map(ack => ack.frame_id);
+  assert.deepEqual(ids, [...new Set(ids)]);
+  assert.ok(ids.length >= 3 && server.log.acks.every(ack => ack.decode_ms >= 0));
+  const sent = server.log.cameras.length + server.log.acks.length;
+  await page.waitForTimeout(700);
+  assert.equal(server.log.cameras.length + server.log.acks.length, sent);
+});
+
+test('the stream has the window\'s device pixels, follows its size, and a GPU gives more', async t => {
+  const { server, page } = await open(t, { software: false }, '', { viewport: { width: 1000, height: 500 }, deviceScaleFactor: 2 });
+  await live(page);
+  await page.waitForTimeout(200);
+  const [width, height] = server.log.hellos[0].size_px;
+  assert.ok(width * height <= 1280 * 720);
+  assert.deepEqual(server.log.settings.at(-1).size_px, [2000, 1000]);
+  await page.setViewportSize({ width: 600, height: 400 });
+  await page.waitForTimeout(500);
+  assert.deepEqual(server.log.settings.at(-1).size_px, [1200, 800]);
+  await page.selectOption('#resolution', '360');
+  await page.waitForTimeout(100);
+  const small = server.log.settings.at(-1).size_px;
+  assert.ok(small[0] * small[1] <= 640 * 360 && small[0] > 500);
+});
+
+test('time runs at the chosen rate, and only when asked', async t => {
+  const { server, page } = await open(t, {});
+  await live(page);
+  assert.equal(server.log.cameras.length, 0);
+  await page.check('[name=rate][value="60"]', { force: true });
+  await page.click('#play');
+  await page.waitForTimeout(1000);
+  await page.click('#play');
+  const { time_s } = server.log.cameras.at(-1);
+  assert.ok(time_s > 30 && time_s < 120, `${time_s} s passed`);
+});
+
+test('a sky\'s name and description are text, never markup', async t => {
+  const { page } = await open(t, { cloudscapes: [{ name: 'x', title: '<img src=x onerror=fail()>', description: '<b>bold</b>' }] });
+  await live(page);
+  assert.equal(await page.locator('#cloudscapes img').count(), 0);
+  assert.equal(await page.locator('#cloudscapes small').textContent(), '<b>bold</b>');
+});
+
+test('who prefers less motion gets a camera without glide', async t => {
+  const { server, page } = await open(t, {}, '', { reducedMotion: 'reduce' });
+  await live(page);
+  await page.locator('#sky').focus();
+  await page.keyboard.down('w');
+  await page.waitForTimeout(400);
+  await page.keyboard.up('w');
+  await page.waitForTimeout(150);
+  const count = server.log.cameras.length;
+  await page.waitForTimeout(400);
+  assert.ok(count > 3);
+  assert.equal(server.log.cameras.length, count);
+});
