@@ -19,6 +19,9 @@ struct DeviceInfo {
 // missing.
 std::vector<DeviceInfo> enumerate_devices();
 
+// A table for people, one line a device.
+std::string describe(const std::vector<DeviceInfo>& devices);
+
 // compute: heavy passes as compute dispatches. fragment: as full-screen triangles. automatic: fragment on a software
 // rasterizer (1.5 times faster there, measured), compute on a GPU (data-centre GPUs have few units for fragment
 // shaders).

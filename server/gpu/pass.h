@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/context.h"
@@ -43,8 +44,10 @@ struct Binding {  // a texture at a sampler's `layout(binding = unit)`
 class ScreenPass {
  public:
   ScreenPass(const Context& context, ShaderLibrary& shaders, const std::string& path, std::vector<Format> targets);
-  // Shades the pixels of `rect` of the targets (all of one size). Uniform blocks are bound by the caller
-  // (UniformBlock::bind). Makes what it wrote visible to later passes.
+  // With one execution, whatever the context prefers, to compare them.
+  ScreenPass(PassExecution execution, ShaderLibrary& shaders, const std::string& path, std::vector<Format> targets);
+  // Shades the pixels of `rect` (clipped to the targets, which all have one size, and none of which is read). Uniform
+  // blocks are bound by the caller (UniformBlock::bind). Makes what it wrote visible to later passes.
   void run(Rect rect, std::span<const Texture* const> targets, std::span<const Binding> textures) const;
   // Compiles the shader anew; if that fails the old program stays and the error is logged.
   void reload(ShaderLibrary& shaders);
@@ -52,11 +55,12 @@ class ScreenPass {
 
  private:
   Program build(ShaderLibrary& shaders) const;
+  void check(std::span<const Texture* const> targets, std::span<const Binding> textures) const;
   std::string path_;
   std::vector<Format> formats_;
-  bool compute_;
+  PassExecution execution_;
   Program program_;
-  UniformBuffer rect_;
+  mutable UniformBuffer rect_;  // written by each run
 };
 
 // A compute shader `layout(local_size_x = 4, local_size_y = 4, local_size_z = 4)` that writes one 3D image at binding
@@ -64,13 +68,14 @@ class ScreenPass {
 class VolumePass {
  public:
   VolumePass(ShaderLibrary& shaders, const std::string& path);
-  // Runs texels z_begin <= z < z_end of `target`; the shader adds `volume_pass.z_begin` (block at binding 7) to its z.
+  // Runs texels z_begin <= z < z_end of `target`; the shader adds `volume_pass.z_begin` (block at binding 7) to its z,
+  // and leaves out z >= `volume_pass.z_end` where the range is no multiple of 4.
   void run(const Texture& target, int z_begin, int z_end, std::span<const Binding> textures) const;
   const Program& program() const { return program_; }
 
  private:
   Program program_;
-  UniformBuffer range_;
+  mutable UniformBuffer range_;  // written by each run
 };
 
 }  // namespace cloudscape::gpu

@@ -1,8 +1,8 @@
 // Getting results and times back without stalling the device.
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "gpu/texture.h"
@@ -39,7 +39,8 @@ class Timer {
   double milliseconds() const;  // waits for the result; 0 if it was never stopped
 
  private:
-  unsigned queries_[2] = {0, 0};
+  std::array<unsigned, 2> queries_{};
+  bool stopped_ = false;
 };
 
 }  // namespace cloudscape::gpu

@@ -28,11 +28,14 @@ class ShaderLibrary {
   explicit ShaderLibrary(std::filesystem::path folder = {});
   // The text of `path` ("bake/shape.comp") with its includes; `prologue` goes before it, after the #version line.
   ShaderSource load(const std::string& path, const std::string& prologue = {}, const std::string& epilogue = {}) const;
-  // Files of the folder that changed since the last call; always empty for embedded shaders.
+  std::vector<std::string> paths() const;           // every file, sorted
+  std::string read(const std::string& path) const;  // one file as it is; throws Error if it is missing
+  // Whether a file of the folder changed since the last call (by the newest time of change); false for embedded
+  // shaders.
   bool changed();
 
  private:
-  std::string read(const std::string& path) const;
+  bool find_text(const std::string& path, std::string& text) const;  // false: there is no such file
   std::filesystem::path folder_;
   std::filesystem::file_time_type newest_{};
 };

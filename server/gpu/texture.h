@@ -10,6 +10,8 @@ namespace cloudscape::gpu {
 
 enum class Format { rgba8, r8, rgba16f, rgba32f, r32f, rg32f };
 int bytes_per_texel(Format format);
+const char* name_of(Format format);           // as GLSL has it: "rgba16f"
+Format format_from(const std::string& name);  // throws InvalidInput
 enum class Filter { nearest, linear };
 enum class Wrap { repeat, clamp };
 
@@ -38,6 +40,7 @@ class Texture {
   unsigned id_ = 0;
   Format format_ = Format::rgba8;
   int width_ = 0, height_ = 0, depth_ = 1;
+  bool volume_ = false;  // 3D, even if one texel deep
 };
 
 // A uniform buffer; `Block` is a struct of shaders/shared, declared by DECLARE_BLOCK.
@@ -53,6 +56,7 @@ class UniformBuffer {
 
  private:
   unsigned id_ = 0;
+  std::size_t bytes_ = 0;
 };
 
 template <class Block>

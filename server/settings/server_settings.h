@@ -2,7 +2,9 @@
 // config/server.json. Precedence: flag, then environment (CLOUDSCAPE_LISTEN for `listen`, and so on), then file, then
 // default.
 #pragma once
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,7 +45,68 @@ struct ServerSettings {
   double messages_per_s = 240;
   double target_frame_ms = 50;
   bool operator==(const ServerSettings&) const = default;
-  // static void fields(...): to be written by the settings' author, each with limits and meaning.
+
+  static void fields(auto& self, auto&& visit) {
+    visit("listen", self.listen, Limits{3, 260}, "HOST:PORT to listen on; port 0 takes a free one.");
+    visit("cache_dir", self.cache_dir, path_lengths,
+          "Folder of baked textures; empty: cloudscape in $XDG_CACHE_HOME or ~/.cache.");
+    visit("cache_limit_mib", self.cache_limit_mib, Limits{0, 1e6},
+          "What baked textures may take on disk, MiB; the longest unused go first.");
+    visit("cloudscapes_dir", self.cloudscapes_dir, path_lengths,
+          "Folder of *.json documents, read at start, where documents that are put are stored; empty: none.");
+    visit("token_file", self.token_file, path_lengths,
+          "File with the token that clients must send; empty: $CLOUDSCAPE_TOKEN, or one is made beyond loopback.");
+    visit("insecure", self.insecure, Limits{}, "Listens beyond loopback without a token.");
+    visit("allowed_origins", self.allowed_origins, Limits{0, 64},
+          "Origins of foreign web pages that may open streams, such as https://example.org.");
+    visit("egl_device", self.egl_device, Limits{1, 4096},
+          "What renders: auto, software, an index of `cloudscape devices`, or a path such as /dev/dri/renderD128.");
+    visit("require_gpu", self.require_gpu, Limits{}, "Refuses to start on a software renderer.");
+    visit("pass_execution", self.pass_execution, Limits{}, "How passes run: auto, compute or fragment.");
+    visit("shader_dir", self.shader_dir, path_lengths,
+          "Folder to read shaders from, again on each change; empty: those in the program.");
+    visit("log_level", self.log_level, Limits{}, "Least level that is logged: debug, info, warn, error or off.");
+    visit("max_connections", self.max_connections, Limits{1, 65536}, "Open connections.");
+    visit("max_streams", self.max_streams, Limits{1, 4096}, "Viewers at the same time.");
+    visit("max_stream_side_px", self.max_stream_side_px, Limits{16, 16384}, "Width or height of a stream, pixels.");
+    visit("max_stream_megapixels", self.max_stream_megapixels, Limits{0.01, 256}, "Size of a stream, megapixels.");
+    visit("still_queue", self.still_queue, Limits{1, 4096}, "Stills that wait or render; one more gets 503.");
+    visit("max_still_side_px", self.max_still_side_px, Limits{16, 16384}, "Width or height of a still, pixels.");
+    visit("max_still_megapixels", self.max_still_megapixels, Limits{0.01, 256}, "Size of a still, megapixels.");
+    visit("max_still_gigasteps", self.max_still_gigasteps, Limits{0.001, 1e6},
+          "Work of a still: pixels * samples * steps / 1e9.");
+    visit("max_body_kib", self.max_body_kib, Limits{1, 16384}, "Body of an HTTP request, KiB.");
+    visit("header_timeout_s", self.header_timeout_s, timeouts_s, "Time that a client has to send its header, s.");
+    visit("body_timeout_s", self.body_timeout_s, timeouts_s, "Time that a client has between parts of a body, s.");
+    visit("still_timeout_s", self.still_timeout_s, timeouts_s, "Time that a still may take, waiting included, s.");
+    visit("idle_ping_s", self.idle_ping_s, timeouts_s, "A stream that is silent so long is asked for life, s.");
+    visit("idle_hangup_s", self.idle_hangup_s, timeouts_s,
+          "A stream that is silent so long is closed, s; more than idle_ping_s.");
+    visit("drain_s", self.drain_s, Limits{0, 3600}, "Time that work has to finish after a signal to stop, s.");
+    visit("messages_per_s", self.messages_per_s, Limits{1, 1e5}, "Messages a second that a stream may send.");
+    visit("target_frame_ms", self.target_frame_ms, Limits{1, 10000},
+          "What a frame of a moving view should take, ms; its detail follows.");
+  }
+
+ private:
+  static constexpr Limits path_lengths{0, 4096};
+  static constexpr Limits timeouts_s{0.1, 3600};
 };
+
+using TextMap = std::map<std::string, std::string>;
+
+// `environment` may be the whole one: only CLOUDSCAPE_* matters, and of these not CLOUDSCAPE_TOKEN (the token itself)
+// and CLOUDSCAPE_CONFIG (the file's path). Another one that is no setting is logged as a warning. `flags` are keyed by
+// the settings' names; lists are separated by commas there and in the environment. Throws InvalidInput that names the
+// source: "CLOUDSCAPE_MAX_STREAMS is 0: must be within [1, 4096]", "--max-streams ...", "server.json#/max_streams ...".
+ServerSettings load_server_settings(const std::optional<std::filesystem::path>& file, const TextMap& environment,
+                                    const TextMap& flags);
+
+// The settings for flags and help texts: names as in the file, so the flag is the name with - for _.
+std::vector<ParameterInfo> server_parameters();
+std::string flag_name(const std::string& setting);         // --max-streams
+std::string environment_name(const std::string& setting);  // CLOUDSCAPE_MAX_STREAMS
+
+StillLimits still_limits(const ServerSettings& settings);
 
 }  // namespace cloudscape::settings

@@ -1,6 +1,20 @@
 // Who gets the next frame. Streams (viewers) and stills wait in one fair round robin; a stream's newest view wins; what
 // is in flight to a viewer is bounded by its acknowledgements; a view at rest is refined and then costs nothing. No
-// sockets, no GL. Every function may be called from any thread; only `take` waits.
+// sockets, no GL. Every function may be called from any thread; only `take` waits. What names an unknown or finished
+// stream, still or frame is ignored.
+//
+// Moving: a view that changed is answered with a coarse frame (stage 0) whose cost follows the measured render time and
+// whose JPEG quality follows the measured link. Such a frame is always finished, so that a viewer who never rests sees
+// something. Resting: once the view stood still, frames of full quality continue one average (`first_sample` samples
+// are in it, `quality.samples` are added) until the quality's sample count is reached; a change of the view abandons
+// the one in render.
+//
+// Metrics, counters: cloudscape_frames_rendered_total{kind="stream"|"still"},
+// cloudscape_frames_dropped_total{reason="replaced"|"abandoned"|"failed"} (before the socket took it; in render, for
+// its view changed; by an error), cloudscape_stills_cancelled_total, cloudscape_stills_refused_total. Gauges:
+// cloudscape_streams_open, cloudscape_stills_waiting (in render included), cloudscape_frames_in_flight. Histograms:
+// cloudscape_queue_ms (wanted until taken), cloudscape_render_ms, cloudscape_encode_ms, cloudscape_ack_ms (encoded
+// until acknowledged, without decoding).
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -30,10 +44,11 @@ struct StreamView {
 struct SchedulerOptions {
   double target_frame_ms = 50;   // of a moving view: march_divisor adapts to it
   std::size_t still_queue = 16;  // stills that wait or render; one more is refused
-  int max_in_flight = 3;         // frames without acknowledgement, at most
+  int max_in_flight = 3;         // frames of one stream without acknowledgement, at most
 };
 
-// One frame to render. `request` is complete: quality, sample count and sequence included.
+// One frame to render. `request` is complete: quality, sample count and sequence included. `request.sequence` counts
+// the frames of a stream, from 0; it is 0 in a still.
 struct Work {
   FrameRequest request;
   Encoding encoding;
@@ -41,7 +56,14 @@ struct Work {
   std::uint32_t frame_id = 0;  // streams: acknowledged by the viewer
   std::uint64_t pose_sequence = 0;
   std::uint8_t quality_stage = 0;  // 0 moving, 1.. refining, 255 final
-  Time queued;
+  Time queued;                     // since when it was wanted
+};
+
+// Of the last two seconds, or the newest value there is.
+struct StreamStats {
+  double frames_per_second = 0, bits_per_second = 0, round_trip_ms = 0, render_ms = 0, encode_ms = 0;
+  std::uint64_t frames_dropped = 0;  // replaced before the socket took them, since the stream was opened
+  int window = 0;                    // frames that may be in flight now
 };
 
 class FrameScheduler {
@@ -57,6 +79,7 @@ class FrameScheduler {
   void close(StreamId stream);
   // The frame was replaced by a newer one before its socket took it: it will never be acknowledged.
   void dropped(StreamId stream, std::uint32_t frame_id);
+  StreamStats stats(StreamId stream) const;
 
   // Stills. The id names it in `Work::request.stream`; nullopt: the queue is full.
   std::optional<StreamId> submit_still(FrameRequest request, const Encoding& encoding);
@@ -68,10 +91,13 @@ class FrameScheduler {
   // The work is not done yet but others may go first: false if nobody wants it any more (view changed, closed,
   // cancelled), else it comes back from a later `take`, the same value.
   bool yield(const Work& work);
+  // Whether somebody still waits for this taken or yielded work. A yielded work that nobody wants does not come back
+  // from `take`: drop what is kept for it.
+  bool wanted(const Work& work) const;
   // The frame is rendered; `bytes` and `encode_ms` follow from the encoder through `encoded`.
   void rendered(const Work& work, const FrameTimings& timings);
   void encoded(const Work& work, std::size_t bytes, double encode_ms);
-  // The render failed; the stream goes on with its next view.
+  // The render, or later the encoder, failed; the stream goes on with its next view.
   void failed(const Work& work);
 
   void stop();  // `take` returns nullopt from now on, at once

@@ -19,8 +19,9 @@ namespace cloudscape::wire {
 constexpr std::string_view subprotocol = "cloudscape.v1";
 constexpr std::size_t max_client_message_bytes = 64 * 1024;  // a hello may carry a whole document
 
-// {"type":"hello","cloudscape":"fair-weather-cumulus","size_px":[1280,720],...} and, as settings, any of its members
-// later. Absent members keep their value; in hello they start from the document's `view`.
+// {"type":"hello","version":1,"cloudscape":"fair-weather-cumulus","size_px":[1280,720],...} and, as settings, any of
+// its members later. Absent members keep their value, those inside pose, lens and display too; in hello they start from
+// the document's `view`.
 struct Settings {
   std::optional<std::string> cloudscape;           // name; or
   std::optional<std::string> cloudscape_document;  // the JSON text of a whole document ("cloudscape": {...})
@@ -51,8 +52,10 @@ struct Ack {
 };
 using ClientMessage = std::variant<Hello, Settings, Camera, Ack>;
 
-// Throws InvalidInput with a JSON pointer: not JSON, unknown type or key, wrong type, out of range, not finite.
-ClientMessage parse_client_message(std::string_view text);
+// `current` is what a pose, lens or display that is given in part is completed from: what the stream shows, or for a
+// hello the document's `view`. Throws InvalidInput with a JSON pointer: not JSON, unknown type or key, wrong type, out
+// of range, not finite.
+ClientMessage parse_client_message(std::string_view text, const View& current = {});
 std::string to_text(const ClientMessage& message);  // what the native viewer sends
 
 struct Welcome {
@@ -64,18 +67,48 @@ struct Welcome {
   Display display;
   double sun_azimuth_deg = 0, sun_elevation_deg = 0;
   ImageSize size_px, max_size_px;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("program_version", self.program_version, Limits{}, "Version of the server.");
+    visit("renderer", self.renderer, Limits{}, "Name of what renders.");
+    visit("software", self.software, Limits{}, "Whether it renders without a GPU.");
+    visit("cloudscape", self.cloudscape, Limits{}, "Name; empty for a document of the client's own.");
+    visit("pose", self.pose, Limits{}, "Pose that the stream starts from.");
+    visit("lens", self.lens, Limits{}, "Lens that the stream starts from.");
+    visit("display", self.display, Limits{}, "Display that the stream starts from.");
+    visit("sun_azimuth_deg", self.sun_azimuth_deg, Limits{}, "Where the sun stands, clockwise from north, degrees.");
+    visit("sun_elevation_deg", self.sun_elevation_deg, Limits{}, "Height of the sun above the horizon, degrees.");
+    visit("size_px", self.size_px, Limits{}, "Size of the frames.");
+    visit("max_size_px", self.max_size_px, Limits{}, "Largest sides that the server takes.");
+  }
 };
 struct Stats {
   double frames_per_second = 0, bits_per_second = 0, round_trip_ms = 0, render_ms = 0, encode_ms = 0;
   std::uint64_t frames_dropped = 0;
   int window = 1;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("frames_per_second", self.frames_per_second, Limits{}, "Frames that were sent, 1/s.");
+    visit("bits_per_second", self.bits_per_second, Limits{}, "Bits that were sent, 1/s.");
+    visit("round_trip_ms", self.round_trip_ms, Limits{}, "From sending a frame to its acknowledgement, ms.");
+    visit("render_ms", self.render_ms, Limits{}, "Time to render a frame, ms.");
+    visit("encode_ms", self.encode_ms, Limits{}, "Time to encode a frame, ms.");
+    visit("frames_dropped", self.frames_dropped, Limits{}, "Frames that newer ones replaced.");
+    visit("window", self.window, Limits{}, "Frames that may wait for their acknowledgement.");
+  }
 };
 struct ErrorMessage {
   std::string message, pointer;
   bool fatal = false;  // the server closes after it
+
+  static void fields(auto& self, auto&& visit) {
+    visit("message", self.message, Limits{}, "One sentence: what, where, the remedy.");
+    visit("pointer", self.pointer, Limits{}, "JSON pointer into the client's message.");
+    visit("fatal", self.fatal, Limits{}, "Whether the server closes the stream.");
+  }
 };
 using ServerMessage = std::variant<Welcome, Stats, ErrorMessage>;
-std::string to_text(const ServerMessage& message);
+std::string to_text(const ServerMessage& message);  // valid JSON whatever bytes the strings hold
 ServerMessage parse_server_message(std::string_view text);
 
 // Little-endian, packed in this order without gaps; `frame_header_bytes` long.
@@ -100,7 +133,8 @@ constexpr std::size_t frame_header_bytes = 1 * 4 + 4 + 8 + 2 * 2 + 4 + 7 * 8 + 2
 FrameHeader frame_header(const Frame& frame, std::uint32_t frame_id, std::uint64_t pose_sequence,
                          std::uint8_t quality_stage, double encode_ms, std::size_t image_bytes);
 void write(const FrameHeader& header, std::span<std::uint8_t, frame_header_bytes> out);
-// Throws Error if the message is too short, of another version, or its length is not that of header and image.
+// Throws Error if the message is too short, of another version, names no format or lens, holds a number that is not
+// finite, or its length is not that of header and image.
 FrameHeader read_frame_header(std::span<const std::uint8_t> message);
 
 }  // namespace cloudscape::wire

@@ -1,0 +1,68 @@
+#include "app/gpu_stack.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "core/log.h"
+
+namespace cloudscape::app {
+namespace {
+
+constexpr double bytes_per_mib = 1024.0 * 1024.0;
+constexpr std::uint64_t device_bake_bytes = std::uint64_t{1} << 30;  // tuned: a dozen bakes of 128^3 and one of 512^3
+
+gpu::ContextOptions context_options(const GpuOptions& options) {
+  return {options.egl_device, options.require_gpu, gpu::pass_execution_from(options.pass_execution)};
+}
+
+std::uint64_t bytes_of_mib(double mib) { return static_cast<std::uint64_t>(mib * bytes_per_mib); }
+
+}  // namespace
+
+void add_gpu_options(CLI::App& command, GpuOptions& options) {
+  command
+      .add_option("--egl-device", options.egl_device,
+                  "auto, software, an index of `cloudscape devices`, or /dev/dri/...")
+      ->capture_default_str();
+  command.add_flag("--require-gpu", options.require_gpu, "Refuse to run on a software renderer");
+  command.add_option("--pass-execution", options.pass_execution, "auto, compute or fragment")->capture_default_str();
+  command.add_option("--shader-dir", options.shader_dir, "Read shaders from this folder instead of the program");
+  command.add_option("--cache-dir", options.cache_dir, "Folder of baked textures (default: the user's cache folder)");
+  command.add_option("--cache-limit-mib", options.cache_limit_mib, "What baked textures may take on disk, MiB")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--log-level", options.log_level, "debug, info, warn, error or off")->capture_default_str();
+}
+
+std::filesystem::path cache_folder(const std::string& cache_dir) {
+  if (!cache_dir.empty()) return cache_dir;
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
+    return std::filesystem::path(cache) / "cloudscape";
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return std::filesystem::path(home) / ".cache" / "cloudscape";
+  return {};
+}
+
+GpuStack::GpuStack(const GpuOptions& options, bake::BakeStore::Progress progress)
+    : context(context_options(options)),
+      shaders(options.shader_dir),
+      bakes(shaders, bake::BakeCache(cache_folder(options.cache_dir), bytes_of_mib(options.cache_limit_mib)),
+            device_bake_bytes, std::move(progress)),
+      renderer(context, shaders, bakes) {}
+
+bake::BakeStore::Progress progress_on_stderr() {
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  return [terminal, last = -1](const bake::BakeRecipe& recipe, double share) mutable {
+    const int percent = static_cast<int>(100 * share);
+    if (percent == last || (!terminal && percent != 100)) return;
+    last = percent;
+    std::fprintf(stderr, "%sbaking %d^3 texels: %d %%%s", terminal ? "\r" : "", recipe.resolution, percent,
+                 percent == 100 ? "\n" : "");
+    std::fflush(stderr);
+  };
+}
+
+}  // namespace cloudscape::app

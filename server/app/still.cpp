@@ -1,0 +1,86 @@
+// `cloudscape still`: one picture into a file.
+#include <algorithm>
+#include <fstream>
+
+#include "app/commands.h"
+#include "app/gpu_stack.h"
+#include "core/error.h"
+#include "core/log.h"
+#include "encode/encode.h"
+#include "settings/still_request.h"
+#include "settings/text_file.h"
+
+namespace cloudscape::app {
+namespace {
+
+// The command line trusts its user further than the server trusts a stranger.
+constexpr settings::StillLimits limits{.max_side_px = 16384, .max_megapixels = 134.3, .max_gigasteps = 1e6};
+
+struct StillOptions {
+  GpuOptions gpu;
+  std::string cloudscape, output;
+  std::map<std::string, std::string> parameters;
+};
+
+std::string flag_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return "--" + name;
+}
+
+std::string format_of(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension();
+  if (extension == ".jpg" || extension == ".jpeg") return "jpeg";
+  if (extension == ".png") return "png";
+  if (extension == ".exr") return "exr";
+  throw InvalidInput("--output", "is '" + path + "': its name must end in .jpg, .png or .exr");
+}
+
+settings::StillRequest request_of(const StillOptions& options) {
+  settings::CloudscapeLibrary library{{}};
+  std::string name = options.cloudscape;
+  if (name.find('/') != std::string::npos || name.ends_with(".json")) {
+    library.put("file", settings::read_text_file(name, 256 * 1024));
+    name = "file";
+  }
+  settings::Parameters parameters{{"cloudscape", name}, {"format", format_of(options.output)}};
+  parameters.insert(parameters.end(), options.parameters.begin(), options.parameters.end());
+  return settings::still_from_parameters(parameters, library, limits);
+}
+
+void write_file(const std::string& path, const EncodedFrame& image) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(image.bytes.data()) + image.front,
+            static_cast<std::streamsize>(image.bytes.size() - image.front));
+  out.close();
+  if (!out) throw Error("cannot write " + path + ": is the folder there, and the disk not full?");
+}
+
+int run_still(const StillOptions& options) {
+  log::start(options.gpu.log_level);
+  const settings::StillRequest request = request_of(options);
+  GpuStack stack(options.gpu, progress_on_stderr());
+  const Frame frame = stack.renderer.render(request.frame);
+  write_file(options.output, encode::encode(frame, request.encoding));
+  log::info("{}: {} samples, {:.0f} ms", options.output, frame.samples, frame.timings.render_ms);
+  return 0;
+}
+
+}  // namespace
+
+void add_still(CLI::App& program, Run& run) {
+  auto options = std::make_shared<StillOptions>();
+  CLI::App* command = program.add_subcommand("still", "Render one picture into a file");
+  command->add_option("cloudscape", options->cloudscape, "Name of a cloudscape, or a document's path")->required();
+  command->add_option("-o,--output", options->output, "File to write: .jpg, .png or .exr")->required();
+  for (const settings::ParameterInfo& parameter : settings::still_parameters(limits)) {
+    if (parameter.name == "cloudscape" || parameter.name == "format") continue;
+    const std::string about = parameter.description + " [" + parameter.default_text + "]";
+    command->add_option_function<std::string>(
+        flag_of(parameter.name),
+        [options, name = parameter.name](const std::string& value) { options->parameters[name] = value; }, about);
+  }
+  add_gpu_options(*command, options->gpu);
+  command->callback([options, &run] { run = [options] { return run_still(*options); }; });
+}
+
+}  // namespace cloudscape::app

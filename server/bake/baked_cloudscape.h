@@ -1,0 +1,37 @@
+// A baked cloudscape: the texels, as the cache keeps them, and the textures that the march samples.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "bake/recipe.h"
+#include "gpu/texture.h"
+
+namespace cloudscape::bake {
+
+// Texels of the three textures, x fastest, then y, then z (bottom to top).
+struct BakedTexels {
+  BakeRecipe recipe;
+  std::vector<std::uint8_t> shape;      // RGBA8, resolution^3
+  std::vector<std::uint8_t> detail;     // RGBA8, detail_resolution^3
+  std::vector<std::uint8_t> variation;  // RGBA16F, variation_resolution^2
+  bool operator==(const BakedTexels&) const = default;
+};
+
+class BakedCloudscape {
+ public:
+  explicit BakedCloudscape(const BakedTexels& texels);
+  const gpu::Texture& shape() const { return shape_; }
+  const gpu::Texture& detail() const { return detail_; }
+  const gpu::Texture& variation() const { return variation_; }
+  // The cut-off above which the share `coverage` of the tile's columns holds cloud; in units of the shape channel,
+  // 0..1.
+  double threshold_for(double coverage) const;
+  std::size_t bytes() const { return shape_.bytes() + detail_.bytes() + variation_.bytes(); }
+
+ private:
+  gpu::Texture shape_, detail_, variation_;
+  std::array<int, 256> column_maxima_{};  // histogram of each column's greatest shape value
+};
+
+}  // namespace cloudscape::bake

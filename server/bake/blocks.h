@@ -1,0 +1,13 @@
+// The uniform block of the baking shaders as a C++ struct.
+#pragma once
+#include <cstddef>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cloudscape::bake {
+using glm::ivec4, glm::uvec4, glm::vec4;
+#include "shared/bake_block.glsl"
+}  // namespace cloudscape::bake

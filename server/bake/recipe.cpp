@@ -1,0 +1,30 @@
+#include "bake/recipe.h"
+
+#include "core/content_hash.h"
+
+namespace cloudscape::bake {
+
+BakeRecipe bake_recipe(const Cloudscape& cloudscape) {
+  BakeRecipe recipe;
+  if (cloudscape.volume.kind != VolumeKind::noise) {
+    recipe.resolution = recipe.detail_resolution = 1;
+    for (NoiseChannel& channel : recipe.noise.channels) channel.octaves = 1;
+    recipe.detail_octaves = 1;
+    return recipe;
+  }
+  recipe.seed = cloudscape.seed;
+  recipe.resolution = cloudscape.volume.resolution;
+  recipe.noise = cloudscape.noise;
+  for (NoiseChannel& channel : recipe.noise.channels) channel.weight = 1;
+  recipe.height_rise = cloudscape.shape.height_rise;
+  recipe.height_fall = cloudscape.shape.height_fall;
+  recipe.towers = cloudscape.shape.towers;
+  recipe.detail_resolution = cloudscape.detail.resolution;
+  recipe.detail_frequency = cloudscape.detail.frequency;
+  recipe.detail_octaves = cloudscape.detail.octaves;
+  return recipe;
+}
+
+std::string bake_key(const BakeRecipe& recipe) { return content_hash(recipe); }
+
+}  // namespace cloudscape::bake

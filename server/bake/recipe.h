@@ -1,0 +1,41 @@
+// What a bake depends on, and nothing else: two cloudscapes with equal recipes share their textures.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/cloudscape.h"
+
+namespace cloudscape::bake {
+
+constexpr int variation_resolution = 128;  // of the variation map, texels a side
+
+struct BakeRecipe {
+  int version = 1;  // of the baking shaders: raise it when they change what they make
+  std::uint32_t seed = 1;
+  int resolution = 128;
+  Noise noise;  // weights are 1: they matter to the march, not to the bake
+  double height_rise = 50, height_fall = 4;
+  std::vector<Tower> towers;
+  int detail_resolution = 32, detail_frequency = 4, detail_octaves = 3;
+  bool operator==(const BakeRecipe&) const = default;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("version", self.version, Limits{}, "");
+    visit("seed", self.seed, Limits{}, "");
+    visit("resolution", self.resolution, Limits{}, "");
+    visit("noise", self.noise, Limits{}, "");
+    visit("height_rise", self.height_rise, Limits{}, "");
+    visit("height_fall", self.height_fall, Limits{}, "");
+    visit("towers", self.towers, Limits{}, "");
+    visit("detail_resolution", self.detail_resolution, Limits{}, "");
+    visit("detail_frequency", self.detail_frequency, Limits{}, "");
+    visit("detail_octaves", self.detail_octaves, Limits{}, "");
+  }
+};
+
+// A homogeneous volume needs no noise: its recipe is one texel.
+BakeRecipe bake_recipe(const Cloudscape& cloudscape);
+std::string bake_key(const BakeRecipe& recipe);  // 64 hexadecimal characters
+
+}  // namespace cloudscape::bake

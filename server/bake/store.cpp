@@ -1,0 +1,71 @@
+#include "bake/store.h"
+
+#include <algorithm>
+
+#include "core/log.h"
+
+namespace cloudscape::bake {
+
+BakeStore::BakeStore(gpu::ShaderLibrary& shaders, BakeCache cache, std::uint64_t limit_bytes, Progress progress)
+    : baker_(shaders), cache_(std::move(cache)), limit_bytes_(limit_bytes), progress_(std::move(progress)) {}
+BakeStore::~BakeStore() = default;
+
+std::shared_ptr<const BakedCloudscape> BakeStore::find(const BakeRecipe& recipe) {
+  const std::string key = bake_key(recipe);
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key == key; });
+  if (found != entries_.end()) {
+    entries_.splice(entries_.begin(), entries_, found);
+    return found->baked;
+  }
+  if (jobs_.contains(key)) return nullptr;
+  const auto texels = cache_.load(recipe);
+  return texels ? keep(key, *texels) : nullptr;
+}
+
+std::shared_ptr<const BakedCloudscape> BakeStore::keep(const std::string& key, const BakedTexels& texels) {
+  entries_.push_front({key, std::make_shared<const BakedCloudscape>(texels)});
+  while (entries_.size() > 1 && bytes() > limit_bytes_) entries_.pop_back();
+  return entries_.front().baked;
+}
+
+void BakeStore::advance(const BakeRecipe& recipe) {
+  const std::string key = bake_key(recipe);
+  std::unique_ptr<BakeJob>& job = jobs_[key];
+  if (!job) {
+    constexpr std::size_t most_jobs = 4;  // whoever left a bake unfinished may have gone for good
+    if (jobs_.size() > most_jobs) jobs_.erase(jobs_.begin()->first == key ? std::next(jobs_.begin()) : jobs_.begin());
+    job = std::make_unique<BakeJob>(baker_, recipe);
+  }
+  const bool done = job->advance();
+  if (!done) {
+    if (progress_) progress_(recipe, std::min(job->progress(), 0.999));
+    return;
+  }
+  const BakedTexels texels = job->texels();
+  if (progress_) progress_(recipe, 1.0);
+  jobs_.erase(key);
+  cache_.store(texels);
+  keep(key, texels);
+}
+
+std::shared_ptr<const BakedCloudscape> BakeStore::get(const BakeRecipe& recipe) {
+  for (;;) {
+    if (auto baked = find(recipe)) return baked;
+    advance(recipe);
+  }
+}
+
+BakedTexels BakeStore::texels(const BakeRecipe& recipe) {
+  if (auto cached = cache_.load(recipe)) return *cached;
+  const auto baked = get(recipe);
+  return {recipe, baked->shape().download(), baked->detail().download(), baked->variation().download()};
+}
+
+std::size_t BakeStore::bytes() const {
+  std::size_t sum = 0;
+  for (const Entry& entry : entries_) sum += entry.baked->bytes();
+  return sum;
+}
+
+}  // namespace cloudscape::bake

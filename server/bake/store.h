@@ -1,0 +1,45 @@
+// Baked cloudscapes at hand: in memory, from the disk, or being baked.
+#pragma once
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "bake/baker.h"
+#include "bake/cache.h"
+
+namespace cloudscape::bake {
+
+class BakeStore {
+ public:
+  using Progress = std::function<void(const BakeRecipe& recipe, double share)>;  // 0..1; 1 once, at the end
+  // `limit_bytes`: textures that are kept on the device beside those in use.
+  BakeStore(gpu::ShaderLibrary& shaders, BakeCache cache, std::uint64_t limit_bytes, Progress progress = {});
+  ~BakeStore();
+
+  // The baked form, from memory or disk; nullptr: call `advance` until it is there.
+  std::shared_ptr<const BakedCloudscape> find(const BakeRecipe& recipe);
+  // Bakes the next slab of it.
+  void advance(const BakeRecipe& recipe);
+  // Waits for the whole bake.
+  std::shared_ptr<const BakedCloudscape> get(const BakeRecipe& recipe);
+  // The texels themselves, for export.
+  BakedTexels texels(const BakeRecipe& recipe);
+  std::size_t bytes() const;
+
+ private:
+  struct Entry {
+    std::string key;
+    std::shared_ptr<const BakedCloudscape> baked;
+  };
+  std::shared_ptr<const BakedCloudscape> keep(const std::string& key, const BakedTexels& texels);
+  Baker baker_;
+  BakeCache cache_;
+  std::uint64_t limit_bytes_;
+  Progress progress_;
+  std::list<Entry> entries_;  // most recently used first
+  std::map<std::string, std::unique_ptr<BakeJob>> jobs_;
+};
+
+}  // namespace cloudscape::bake

@@ -1,0 +1,156 @@
+// Runs passes: what they bind, draw or dispatch, and the barrier after it.
+#include "gpu/pass.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+#include "core/log.h"
+#include "gpu/format.h"
+#include "gpu/pass_wrapper.h"
+
+namespace cloudscape::gpu {
+namespace {
+
+constexpr int screen_group = 8, volume_group = 4;  // the local sizes of the compute shaders
+constexpr std::size_t most_targets = 8;            // what OpenGL 4.5 promises of draw buffers and of image units
+
+GLuint groups(int texels, int group) { return static_cast<GLuint>((texels + group - 1) / group); }
+
+void bind_textures(std::span<const Binding> textures) {
+  for (const Binding& binding : textures) glBindTextureUnit(static_cast<GLuint>(binding.unit), binding.texture->id());
+}
+
+// Whatever a later pass does with what a compute pass wrote: sample, load, overwrite, read back, draw into.
+void make_image_writes_visible() {
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                  GL_PIXEL_BUFFER_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
+void bind_image(std::size_t unit, const Texture& target) {
+  glBindImageTexture(static_cast<GLuint>(unit), target.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY,
+                     row_of(target.format()).internal);
+}
+
+class Framebuffer {
+ public:
+  explicit Framebuffer(std::span<const Texture* const> targets) {
+    glCreateFramebuffers(1, &id_);
+    std::array<GLenum, most_targets> buffers{};
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      buffers[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+      glNamedFramebufferTexture(id_, buffers[i], targets[i]->id(), 0);
+    }
+    glNamedFramebufferDrawBuffers(id_, static_cast<GLsizei>(targets.size()), buffers.data());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, id_);
+  }
+  ~Framebuffer() { glDeleteFramebuffers(1, &id_); }
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+
+ private:
+  GLuint id_ = 0;
+};
+
+void draw(Rect rect, std::span<const Texture* const> targets) {
+  const Framebuffer framebuffer(targets);
+  glViewport(0, 0, targets[0]->width(), targets[0]->height());
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(rect.x, rect.y, rect.width, rect.height);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void dispatch(Rect rect, std::span<const Texture* const> targets) {
+  for (std::size_t i = 0; i < targets.size(); ++i) bind_image(i, *targets[i]);
+  glDispatchCompute(groups(rect.width, screen_group), groups(rect.height, screen_group), 1);
+  make_image_writes_visible();
+}
+
+Rect clipped(Rect rect, const Texture& target) {
+  const int left = std::max(rect.x, 0), top = std::max(rect.y, 0);
+  return {left, top, std::min(rect.x + rect.width, target.width()) - left,
+          std::min(rect.y + rect.height, target.height()) - top};
+}
+
+template <class Numbers>
+void upload(UniformBuffer& block, const Numbers& numbers) {
+  block.upload(std::as_bytes(std::span(numbers)));
+  block.bind(pass_block_binding);
+}
+
+}  // namespace
+
+ScreenPass::ScreenPass(const Context& context, ShaderLibrary& shaders, const std::string& path,
+                       std::vector<Format> targets)
+    : ScreenPass(context.execution(), shaders, path, std::move(targets)) {}
+
+ScreenPass::ScreenPass(PassExecution execution, ShaderLibrary& shaders, const std::string& path,
+                       std::vector<Format> targets)
+    : path_(path), formats_(std::move(targets)), execution_(execution), rect_(sizeof(Rect), path + " rect") {
+  if (formats_.empty() || formats_.size() > most_targets)
+    throw Error("the screen pass '" + path + "' needs 1 to " + std::to_string(most_targets) + " targets");
+  program_ = build(shaders);
+}
+
+Program ScreenPass::build(ShaderLibrary& shaders) const {
+  const Wrapper wrapper = screen_wrapper(execution_, formats_);
+  const ShaderSource source = shaders.load(path_, wrapper.prologue, wrapper.epilogue);
+  return execution_ == PassExecution::compute ? Program::compute(source, path_) : Program::fragment(source, path_);
+}
+
+void ScreenPass::reload(ShaderLibrary& shaders) {
+  try {
+    program_ = build(shaders);
+    log::info("reloaded the shader {}", path_);
+  } catch (const Error& error) {
+    log::error("{} (the one before stays in use)", error.what());
+  }
+}
+
+void ScreenPass::check(std::span<const Texture* const> targets, std::span<const Binding> textures) const {
+  if (targets.size() != formats_.size())
+    throw Error("the screen pass '" + path_ + "' writes " + std::to_string(formats_.size()) + " targets, not " +
+                std::to_string(targets.size()));
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Texture& target = *targets[i];
+    if (target.format() != formats_[i])
+      throw Error("target " + std::to_string(i) + " of the screen pass '" + path_ + "' is " + name_of(target.format()) +
+                  ": must be " + name_of(formats_[i]));
+    if (target.width() != targets[0]->width() || target.height() != targets[0]->height())
+      throw Error("the targets of the screen pass '" + path_ + "' differ in size");
+    // Undefined in OpenGL, and it comes out differently in the two executions.
+    if (std::ranges::any_of(textures, [&](const Binding& binding) { return binding.texture == &target; }))
+      throw Error("the screen pass '" + path_ + "' reads target " + std::to_string(i) + ", which it writes");
+  }
+}
+
+void ScreenPass::run(Rect rect, std::span<const Texture* const> targets, std::span<const Binding> textures) const {
+  check(targets, textures);
+  const Rect area = clipped(rect, *targets[0]);
+  if (area.width <= 0 || area.height <= 0) return;
+  glUseProgram(program_.id());
+  bind_textures(textures);
+  if (execution_ == PassExecution::fragment) return draw(area, targets);
+  upload(rect_, std::array{area.x, area.y, area.width, area.height});
+  dispatch(area, targets);
+}
+
+VolumePass::VolumePass(ShaderLibrary& shaders, const std::string& path)
+    : program_(Program::compute(shaders.load(path, volume_wrapper().prologue), path)),
+      range_(4 * sizeof(int), path + " range") {}
+
+void VolumePass::run(const Texture& target, int z_begin, int z_end, std::span<const Binding> textures) const {
+  if (z_begin < 0 || z_end > target.depth() || z_begin > z_end)
+    throw Error("a volume of depth " + std::to_string(target.depth()) + " has no slices " + std::to_string(z_begin) +
+                " to " + std::to_string(z_end));
+  glUseProgram(program_.id());
+  bind_textures(textures);
+  upload(range_, std::array{z_begin, z_end, 0, 0});
+  bind_image(0, target);
+  glDispatchCompute(groups(target.width(), volume_group), groups(target.height(), volume_group),
+                    groups(z_end - z_begin, volume_group));
+  make_image_writes_visible();
+}
+
+}  // namespace cloudscape::gpu

@@ -1,0 +1,35 @@
+// What the routes and the sessions of one server share. Used on the network thread only.
+#pragma once
+#include <functional>
+#include <optional>
+#include <set>
+
+#include "net/authorization.h"
+#include "net/endpoint.h"
+#include "net/limits.h"
+#include "net/server.h"
+#include "net/still_desk.h"
+
+namespace cloudscape::net {
+
+class StreamSession;
+
+struct Site {
+  explicit Site(const Parts& given);
+
+  Parts parts;
+  Endpoint endpoint;
+  Authorization authorization;
+  StillDesk stills;
+  RateLimit still_rate;
+  std::optional<RendererInfo> renderer;  // nullopt: still starting
+  bool draining = false;
+  std::set<StreamSession*> sessions;
+
+  bool ready() const { return renderer && !draining; }
+};
+
+// 503 while starting or draining, else nothing.
+std::optional<Response> refuse_unready(const Site& site);
+
+}  // namespace cloudscape::net

@@ -1,0 +1,25 @@
+// Requests to uniform blocks: where doubles of the document become floats of the device.
+#pragma once
+#include <glm/vec3.hpp>
+
+#include "bake/baked_cloudscape.h"
+#include "core/frame.h"
+#include "render/blocks.h"
+
+namespace cloudscape::render {
+
+// World-space directions of the camera's axes. Azimuth clockwise from north, elevation up, positive roll turns it
+// clockwise.
+struct CameraAxes {
+  glm::dvec3 right, up, forward;
+};
+CameraAxes camera_axes(const CameraPose& pose);
+
+// Unit vector from azimuth and elevation, degrees.
+glm::dvec3 direction_of(double azimuth_deg, double elevation_deg);
+
+// `sample`: index in the average that the frame belongs to; 0 looks through the middle of the pixel.
+FrameBlock frame_block(const FrameRequest& request, int sample);
+CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape& baked);
+
+}  // namespace cloudscape::render

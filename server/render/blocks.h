@@ -1,0 +1,14 @@
+// The uniform blocks of the rendering shaders as C++ structs.
+#pragma once
+#include <cstddef>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cloudscape::render {
+using glm::ivec4, glm::vec4;
+#include "shared/cloud_block.glsl"
+#include "shared/frame_block.glsl"
+}  // namespace cloudscape::render

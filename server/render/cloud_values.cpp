@@ -1,0 +1,89 @@
+// The cloud block: the medium as the march sees it from one camera at one time.
+#include <algorithm>
+#include <cmath>
+
+#include "render/block_values.h"
+
+namespace cloudscape::render {
+namespace {
+
+vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
+double fraction(double value) { return value - std::floor(value); }
+
+// Where the point below the camera lies in a pattern that drifts with the wind, m.
+glm::dvec2 drifted(const FrameRequest& request) {
+  const Wind& wind = request.cloudscape->wind;
+  const glm::dvec3 drift = direction_of(wind.towards_azimuth_deg, 0) * wind.speed_m_per_s * request.time_s;
+  return {request.pose.position_m.x - drift.x, request.pose.position_m.y - drift.y};
+}
+
+vec4 tile_of(const Volume& volume, const glm::dvec2& at_m) {
+  glm::dvec2 tile{(at_m.x - volume.origin_m.x) / volume.size_m.x, (at_m.y - volume.origin_m.y) / volume.size_m.y};
+  if (volume.tiling) tile = {fraction(tile.x), fraction(tile.y)};
+  return {1 / volume.size_m.x, 1 / volume.size_m.y, tile.x, tile.y};
+}
+
+struct Octaves {
+  vec4 low{0}, high{0};
+  void set(int octave, double value) { (octave < 4 ? low : high)[octave % 4] = static_cast<float>(value); }
+};
+
+void set_light_function(CloudBlock& block, const LightFunction& light) {
+  Octaves weight, extinction, asymmetry;
+  for (int octave = 0; octave < light.octaves; ++octave) {
+    weight.set(octave, std::pow(light.octave_scattering, octave));
+    extinction.set(octave, std::pow(light.octave_extinction, octave));
+    asymmetry.set(octave, std::pow(light.octave_asymmetry, octave));
+  }
+  block.octave_weight_low = weight.low, block.octave_weight_high = weight.high;
+  block.octave_extinction_low = extinction.low, block.octave_extinction_high = extinction.high;
+  block.octave_asymmetry_low = asymmetry.low, block.octave_asymmetry_high = asymmetry.high;
+  block.olajos = {light.olajos_attenuation, light.olajos_in_scatter, light.olajos_gain, 0};
+}
+
+void set_shape(CloudBlock& block, const FrameRequest& request, const bake::BakedCloudscape& baked) {
+  const Cloudscape& sky = *request.cloudscape;
+  const glm::dvec2 at_m = drifted(request);
+  const double threshold = sky.shape.threshold.value_or(baked.threshold_for(sky.shape.coverage));
+  const CoverageVariation& slow = sky.shape.coverage_variation;
+  // tuned: half the threshold is enough to open and close the sky; a third of a tile hides repetition without smearing
+  // shapes.
+  block.shape = {threshold, 1 / sky.shape.edge_softness, slow.amount * 0.5, sky.volume.tiling ? 0.35 : 0.0};
+  const auto& channels = sky.noise.channels;
+  block.weights = {1, channels[1].weight, channels[2].weight, channels[3].weight};
+  const double period_m = 4 * slow.wavelength_m;  // shaders/bake/variation.comp
+  block.variation = {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), 0};
+  block.detail = {1 / sky.detail.period_m, fraction(at_m.x / sky.detail.period_m),
+                  fraction(at_m.y / sky.detail.period_m), 0};
+  // tuned: steps longer than half a detail tile would sample it at random.
+  block.erosion = {sky.detail.strength, 0.5 * sky.detail.period_m, 0, 0};
+}
+
+}  // namespace
+
+CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape& baked) {
+  const Cloudscape& sky = *request.cloudscape;
+  const Volume& volume = sky.volume;
+  const RenderQuality& quality = request.quality;
+  const glm::dvec3 below_camera(request.pose.position_m.x, request.pose.position_m.y, 0);
+  const bool layer = volume.kind == VolumeKind::noise;
+  CloudBlock block;
+  block.layer = {volume.origin_m.z, volume.origin_m.z + volume.size_m.z, 1 / volume.size_m.z,
+                 static_cast<int>(volume.kind)};
+  block.tile = tile_of(volume, drifted(request));
+  block.box_low = xyz_w(volume.origin_m - below_camera, volume.tiling);
+  block.box_high = xyz_w(volume.origin_m + volume.size_m - below_camera, 0);
+  set_shape(block, request, baked);
+  const Medium& medium = sky.medium;
+  block.medium = {medium.extinction_per_m, medium.extinction_per_m * medium.single_scattering_albedo, medium.ambient,
+                  static_cast<int>(medium.phase.kind)};
+  block.phase = {medium.phase.asymmetry_g, medium.phase.second_asymmetry_g, medium.phase.second_weight,
+                 static_cast<int>(medium.light_function.kind)};
+  set_light_function(block, medium.light_function);
+  block.steps = {quality.step_m, quality.step_growth, quality.max_steps, quality.light_steps};
+  // tuned: light from farther than this is diffuse anyway; clouds beyond 90 km are lost in the air.
+  block.march = {layer ? std::clamp(1.5 * volume.size_m.z, 800.0, 4000.0) : 1e7, layer ? 9e4 : 1e8, 0, 0};
+  return block;
+}
+
+}  // namespace cloudscape::render

@@ -1,0 +1,71 @@
+// The frame block: camera, sun, sky, ground and display of one sample.
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "render/block_values.h"
+
+namespace cloudscape::render {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180;
+constexpr double ground_period_m = 65536;  // shaders/lib/ground.glsl
+
+vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
+
+double wrapped(double value, double period) { return value - period * std::floor(value / period); }
+
+// Offset of a sample in the pixel, -0.5..0.5: the R2 sequence (Roberts 2018), even over any number of samples.
+glm::dvec2 subpixel_offset(int sample) {
+  if (sample == 0) return {0, 0};
+  return {wrapped(0.5 + 0.7548776662466927 * sample, 1) - 0.5, wrapped(0.5 + 0.5698402909980532 * sample, 1) - 0.5};
+}
+
+double disc_per_solid_angle(const Sun& sun) {
+  if (!sun.disc) return 0;
+  return 1 / (2 * std::numbers::pi * (1 - std::cos(sun.angular_radius_deg * radians_per_degree)));
+}
+
+}  // namespace
+
+glm::dvec3 direction_of(double azimuth_deg, double elevation_deg) {
+  const double azimuth = azimuth_deg * radians_per_degree, elevation = elevation_deg * radians_per_degree;
+  return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation), std::sin(elevation)};
+}
+
+CameraAxes camera_axes(const CameraPose& pose) {
+  const double azimuth = pose.azimuth_deg * radians_per_degree, roll = pose.roll_deg * radians_per_degree;
+  const glm::dvec3 forward = direction_of(pose.azimuth_deg, pose.elevation_deg);
+  const glm::dvec3 level(std::cos(azimuth), -std::sin(azimuth), 0);
+  const glm::dvec3 upright = glm::cross(level, forward);
+  return {std::cos(roll) * level - std::sin(roll) * upright, std::sin(roll) * level + std::cos(roll) * upright,
+          forward};
+}
+
+FrameBlock frame_block(const FrameRequest& request, int sample) {
+  const Cloudscape& sky = *request.cloudscape;
+  const CameraAxes axes = camera_axes(request.pose);
+  const glm::dvec2 offset = subpixel_offset(sample);
+  FrameBlock block;
+  block.camera_right = xyz_w(axes.right, 0);
+  block.camera_up = xyz_w(axes.up, 0);
+  block.camera_forward = xyz_w(axes.forward, request.pose.position_m.z);
+  block.lens = {std::tan(0.5 * request.lens.vertical_fov_deg * radians_per_degree), request.lens.width_m, offset.x,
+                offset.y};
+  block.size = {request.size_px.width, request.size_px.height, static_cast<int>(request.lens.kind),
+                request.quality.march_divisor};
+  block.sample_info = {sample, 0, request.content == FrameContent::radiance, request.display.dither};
+  block.sun_direction = xyz_w(direction_of(sky.sun.azimuth_deg, sky.sun.elevation_deg),
+                              std::cos(sky.sun.angular_radius_deg * radians_per_degree));
+  block.sun_irradiance = xyz_w(sky.sun.irradiance, disc_per_solid_angle(sky.sun));
+  block.sky = xyz_w(sky.sky.radiance, static_cast<double>(sky.sky.kind));
+  block.atmosphere = {sky.sky.haze, 0, 0, 0};
+  block.ground_albedo = xyz_w(sky.ground.albedo, sky.ground.variation);
+  block.ground = {sky.ground.kind == GroundKind::plain, wrapped(request.pose.position_m.x, ground_period_m),
+                  wrapped(request.pose.position_m.y, ground_period_m), 0};
+  block.display = {std::exp2(request.display.exposure_ev), static_cast<int>(request.display.tone_curve), 0, 0};
+  block.accumulation = {1.0 / (sample + 1), 0, 0, 0};
+  return block;
+}
+
+}  // namespace cloudscape::render

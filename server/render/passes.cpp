@@ -1,0 +1,49 @@
+#include "render/passes.h"
+
+#include <algorithm>
+
+namespace cloudscape::render {
+
+using gpu::Binding, gpu::Format, gpu::ScreenPass, gpu::Texture;
+
+Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
+    : half_{ScreenPass(context, shaders, "render/scene.glsl", {Format::rgba16f, Format::r32f}),
+            ScreenPass(context, shaders, "render/march.glsl", {Format::rgba16f, Format::rg32f})},
+      full_{ScreenPass(context, shaders, "render/scene.glsl", {Format::rgba32f, Format::r32f}),
+            ScreenPass(context, shaders, "render/march.glsl", {Format::rgba32f, Format::rg32f})},
+      composite_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f}),
+      tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}) {}
+
+void Passes::march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked, int row_begin,
+                   int row_end) const {
+  const Precision& precision = targets.float32 ? full_ : half_;
+  const int divisor = targets.march_divisor;
+  const Binding textures[] = {{0, &baked.shape()},       {1, &baked.detail()},    {2, &baked.variation()},
+                              {3, &targets.scene_depth}, {8, &sky.transmittance}, {9, &sky.view},
+                              {10, &sky.light}};
+  const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
+  const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
+  const int scene_end = std::min(row_end * divisor, targets.size.height);
+  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, textures);
+  precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
+}
+
+void Passes::composite(const Targets& targets, const Accumulation& previous) const {
+  const Binding textures[] = {{0, &targets.scene_radiance}, {1, &targets.scene_depth}, {2, &targets.march_radiance},
+                              {3, &targets.march_depth},    {4, &previous.radiance},   {5, &previous.depth}};
+  const Texture* output[] = {&targets.scratch.radiance, &targets.scratch.depth};
+  composite_.run({0, 0, targets.size.width, targets.size.height}, output, textures);
+}
+
+void Passes::tone_map(const Targets& targets, const Accumulation& accumulation) const {
+  const Binding textures[] = {{0, &accumulation.radiance}};
+  const Texture* output[] = {&targets.display};
+  tone_map_.run({0, 0, targets.size.width, targets.size.height}, output, textures);
+}
+
+void Passes::reload(gpu::ShaderLibrary& shaders) {
+  for (ScreenPass* pass : {&half_.scene, &half_.march, &full_.scene, &full_.march, &composite_, &tone_map_})
+    pass->reload(shaders);
+}
+
+}  // namespace cloudscape::render

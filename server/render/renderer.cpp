@@ -1,0 +1,178 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/block_values.h"
+
+namespace cloudscape::render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// tuned: a slice on a software rasterizer; short enough that another viewer's frame is not late, long enough to keep
+// both cores busy. A GPU takes slices by their work instead, since waiting for each would leave it idle.
+constexpr double slice_ms = 60;
+constexpr double gpu_steps_per_slice = 2e9;
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+bool PendingFrame::ready() const {
+  return (!display || display.ready()) && (!radiance || radiance.ready()) && (!depth || depth.ready());
+}
+
+Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes)
+    : context_(context),
+      shaders_(shaders),
+      bakes_(bakes),
+      passes_(context, shaders),
+      sky_(context, shaders),
+      frame_block_("frame"),
+      cloud_block_("cloud") {}
+
+Renderer::History& Renderer::history_of(const FrameRequest& request) {
+  History& history = histories_[request.stream];
+  if (!history.accumulation.radiance || !(history.size == request.size_px))
+    history = {make_accumulation(request.size_px), request.size_px, 0};
+  return history;
+}
+
+std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
+  auto job = std::make_unique<RenderJob>();
+  job->request = request;
+  const History& history = history_of(request);
+  job->sample = request.first_sample == history.samples ? request.first_sample : 0;
+  job->last_sample = job->sample + std::max(1, request.quality.samples) - 1;
+  return job;
+}
+
+bool Renderer::advance(RenderJob& job) {
+  const auto start = Clock::now();
+  if (!job.baked) {
+    const bake::BakeRecipe recipe = bake::bake_recipe(*job.request.cloudscape);
+    job.baked = bakes_.find(recipe);
+    if (!job.baked) {
+      bakes_.advance(recipe);
+      context_.finish();
+      return false;
+    }
+  }
+  if (!job.targets) {
+    job.targets = pool_.acquire(job.request.size_px, job.request.quality.march_divisor, job.request.quality.float32);
+    job.timer.start();
+  }
+  render_rows(job);
+  if (job.row >= job.targets->march_radiance.height()) finish_sample(job);
+  const bool done = job.sample > job.last_sample;
+  if (done) job.timer.stop();
+  job.render_ms += ms_since(start);
+  return done;
+}
+
+int Renderer::rows_of_next_slice(const RenderJob& job) const {
+  const int width = job.targets->march_radiance.width();
+  const double pixels = context_.device().software ? slice_ms * pixels_per_ms_
+                                                   : gpu_steps_per_slice / std::max(1, job.request.quality.max_steps);
+  return std::max(8, static_cast<int>(pixels / width));
+}
+
+void Renderer::render_rows(RenderJob& job) {
+  const auto start = Clock::now();
+  const FrameBlock frame = frame_block(job.request, job.sample);
+  const CloudBlock cloud = cloud_block(job.request, *job.baked);
+  frame_block_.upload(frame);
+  cloud_block_.upload(cloud);
+  frame_block_.bind();
+  cloud_block_.bind();
+  const SkyTables::Set& sky = sky_.get(frame, cloud);
+  const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
+  passes_.march(*job.targets, sky, *job.baked, job.row, end);
+  const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
+  job.row = end;
+  if (!context_.device().software) return context_.flush();
+  context_.finish();
+  pixels_per_ms_ = std::lerp(pixels_per_ms_, pixels / std::max(0.1, ms_since(start)), 0.3);
+}
+
+void Renderer::finish_sample(RenderJob& job) {
+  History& history = history_of(job.request);
+  passes_.composite(*job.targets, history.accumulation);
+  std::swap(history.accumulation, job.targets->scratch);
+  history.samples = ++job.sample;
+  job.row = 0;
+}
+
+PendingFrame Renderer::finish(std::unique_ptr<RenderJob> job) {
+  const auto start = Clock::now();
+  PendingFrame pending;
+  const History& history = history_of(job->request);
+  pending.samples = history.samples;
+  if (job->request.content == FrameContent::display) {
+    frame_block_.upload(frame_block(job->request, job->last_sample));  // other jobs may have been at work in between
+    frame_block_.bind();
+    passes_.tone_map(*job->targets, history.accumulation);
+    pending.display = gpu::Readback(job->targets->display);
+  } else {
+    pending.radiance = gpu::Readback(history.accumulation.radiance);
+    pending.depth = gpu::Readback(history.accumulation.depth);
+  }
+  context_.flush();
+  pending.request = std::move(job->request);
+  pending.timings.render_ms = job->render_ms + ms_since(start);
+  pending.timer = std::move(job->timer);
+  pool_.release(std::move(job->targets));
+  return pending;
+}
+
+Frame Renderer::collect(PendingFrame pending) const {
+  const auto start = Clock::now();
+  Frame frame;
+  frame.samples = pending.samples;
+  frame.timings = pending.timings;
+  if (pending.display) frame.display_rgba = pending.display.take();
+  if (pending.radiance) {
+    const auto floats_of = [](const std::vector<std::uint8_t>& bytes) {
+      const auto* first = reinterpret_cast<const float*>(bytes.data());
+      return std::vector<float>(first, first + bytes.size() / sizeof(float));
+    };
+    frame.radiance_rgba = floats_of(pending.radiance.take());
+    frame.depth_m = floats_of(pending.depth.take());
+    constexpr float farthest_m = 1e7F;  // beyond every horizon: sky, or an average with sky in it
+    for (float& depth_m : frame.depth_m)
+      if (depth_m > farthest_m) depth_m = std::numeric_limits<float>::infinity();
+  }
+  frame.timings.gpu_ms = pending.timer.milliseconds();
+  frame.timings.readback_ms = ms_since(start);
+  frame.request = std::move(pending.request);
+  return frame;
+}
+
+Frame Renderer::render(const FrameRequest& request) {
+  auto job = begin(request);
+  while (!advance(*job)) {
+  }
+  return collect(finish(std::move(job)));
+}
+
+void Renderer::abandon(std::unique_ptr<RenderJob> job) {
+  if (job->targets) pool_.release(std::move(job->targets));
+}
+
+void Renderer::forget(StreamId stream) { histories_.erase(stream); }
+
+void Renderer::reload_shaders() {
+  passes_.reload(shaders_);
+  sky_.reload(shaders_);
+}
+
+std::size_t Renderer::history_bytes() const {
+  std::size_t sum = 0;
+  for (const auto& [stream, history] : histories_) sum += history.accumulation.bytes();
+  return sum;
+}
+
+}  // namespace cloudscape::render

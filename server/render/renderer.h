@@ -1,0 +1,77 @@
+// FrameRequest to Frame. One renderer serves streams, stills and the command line; all on the thread of its context.
+//
+// A frame is rendered in slices of some milliseconds, so that other frames may go in between:
+//   auto job = renderer.begin(request);
+//   while (!renderer.advance(*job)) {}
+//   Frame frame = renderer.collect(renderer.finish(std::move(job)));
+#pragma once
+#include <chrono>
+#include <map>
+#include <memory>
+
+#include "bake/store.h"
+#include "core/frame.h"
+#include "gpu/context.h"
+#include "gpu/readback.h"
+#include "render/passes.h"
+
+namespace cloudscape::render {
+
+// A frame that is being rendered.
+struct RenderJob {
+  FrameRequest request;
+  std::shared_ptr<const bake::BakedCloudscape> baked;
+  std::unique_ptr<Targets> targets;
+  int sample = 0, last_sample = 0;  // indices in the average
+  int row = 0;                      // of the march target, next to render
+  double render_ms = 0;
+  gpu::Timer timer;
+};
+
+// A frame on its way back from the device.
+struct PendingFrame {
+  FrameRequest request;
+  int samples = 0;
+  FrameTimings timings;
+  gpu::Readback display, radiance, depth;
+  gpu::Timer timer;
+  bool ready() const;
+};
+
+class Renderer {
+ public:
+  Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes);
+  std::unique_ptr<RenderJob> begin(const FrameRequest& request);
+  bool advance(RenderJob& job);  // renders (or first bakes) the next slice; true when all is rendered
+  PendingFrame finish(std::unique_ptr<RenderJob> job);
+  Frame collect(PendingFrame pending) const;  // waits if it is not ready
+  Frame render(const FrameRequest& request);  // all of the above
+  void abandon(std::unique_ptr<RenderJob> job);
+  void forget(StreamId stream);  // frees what is kept to continue the stream's average
+  void reload_shaders();
+  std::size_t history_bytes() const;
+
+ private:
+  struct History {
+    Accumulation accumulation;
+    ImageSize size;
+    int samples = 0;
+  };
+  History& history_of(const FrameRequest& request);
+  void render_rows(RenderJob& job);
+  void finish_sample(RenderJob& job);
+  int rows_of_next_slice(const RenderJob& job) const;
+
+  const gpu::Context& context_;
+  gpu::ShaderLibrary& shaders_;
+  bake::BakeStore& bakes_;
+  Passes passes_;
+  SkyTables sky_;
+  TargetPool pool_;
+  gpu::UniformBlock<FrameBlock> frame_block_;
+  gpu::UniformBlock<CloudBlock> cloud_block_;
+  std::map<StreamId, History> histories_;
+  double pixels_per_ms_ = 1000;  // march speed, measured; it sizes the slices and changes no pixel
+};
+
+}  // namespace cloudscape::render

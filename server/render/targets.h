@@ -1,0 +1,36 @@
+// The textures that a frame is rendered into; kept and shared between frames of one size.
+#pragma once
+#include <list>
+#include <memory>
+#include <vector>
+
+#include "core/frame.h"
+#include "gpu/texture.h"
+
+namespace cloudscape::render {
+
+// The average of a stream's samples so far.
+struct Accumulation {
+  gpu::Texture radiance, depth;
+  std::size_t bytes() const { return radiance ? radiance.bytes() + depth.bytes() : 0; }
+};
+Accumulation make_accumulation(ImageSize size);
+
+struct Targets {
+  ImageSize size;
+  int march_divisor = 1;
+  bool float32 = false;
+  gpu::Texture scene_radiance, scene_depth, march_radiance, march_depth, display;
+  Accumulation scratch;
+};
+
+class TargetPool {
+ public:
+  std::unique_ptr<Targets> acquire(ImageSize size, int march_divisor, bool float32);
+  void release(std::unique_ptr<Targets> targets);
+
+ private:
+  std::list<std::unique_ptr<Targets>> free_;  // most recently released first
+};
+
+}  // namespace cloudscape::render

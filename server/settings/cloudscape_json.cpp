@@ -1,0 +1,64 @@
+// The cloudscape document: reader, rules between fields, writer, schema and reference.
+#include "settings/cloudscape_json.h"
+
+#include <cmath>
+
+#include "settings/cloudscape_reader.h"
+#include "settings/described_json.h"
+#include "settings/described_schema.h"
+
+namespace cloudscape::settings {
+namespace {
+
+// The document at its root, where editors keep the schema's address.
+struct Root {
+  std::string schema;
+  Cloudscape cloudscape;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("$schema", self.schema, Limits{}, "Address of this schema, for editors; passed over.");
+    Cloudscape::fields(self.cloudscape, visit);
+  }
+};
+
+// Lattice cells narrower than a texel hold no shape, only aliasing.
+void check_octaves(const std::string& pointer, int frequency, int lacunarity, int octaves, int resolution,
+                   const std::string& resolution_key) {
+  const double finest = frequency * std::pow(lacunarity, octaves - 1);
+  if (finest <= resolution) return;
+  throw InvalidInput(pointer, "has " + number_text(finest) + " cells a tile in its last octave (frequency * " +
+                                  (lacunarity == 2 ? "2" : "lacunarity") + "^(octaves - 1)): must be at most " +
+                                  resolution_key + ", " + number_text(resolution));
+}
+
+nlohmann::ordered_json document_schema() { return schema<Root>("urn:cloudscape:document:1", "Cloudscape document"); }
+
+}  // namespace
+
+void check(const Cloudscape& cloudscape, const std::string& pointer) {
+  if (cloudscape.volume.kind != VolumeKind::noise) return;
+  for (std::size_t i = 0; i < cloudscape.noise.channels.size(); ++i) {
+    const NoiseChannel& channel = cloudscape.noise.channels[i];
+    check_octaves(pointer + "/noise/channels/" + std::to_string(i), channel.frequency, channel.lacunarity,
+                  channel.octaves, cloudscape.volume.resolution, "volume.resolution");
+  }
+  const Detail& fine = cloudscape.detail;
+  check_octaves(pointer + "/detail", fine.frequency, 2, fine.octaves, fine.resolution, "detail.resolution");
+}
+
+Cloudscape read_cloudscape(const nlohmann::json& json, const std::string& pointer) {
+  Root root;
+  read(json, root, pointer);
+  check(root.cloudscape, pointer);
+  return root.cloudscape;
+}
+
+Cloudscape parse_cloudscape(std::string_view text, const std::string& source) {
+  return read_cloudscape(parse_json(text, source), "");
+}
+
+std::string to_json(const Cloudscape& cloudscape) { return to_text(write(cloudscape), 2) + "\n"; }
+std::string cloudscape_schema() { return to_text(document_schema(), 2) + "\n"; }
+std::string cloudscape_reference() { return reference(document_schema(), "document"); }
+
+}  // namespace cloudscape::settings

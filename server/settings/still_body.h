@@ -1,0 +1,74 @@
+// The parts of a still request as described values; the JSON body has this form, a query names the same members flatly.
+#pragma once
+#include <optional>
+#include <string_view>
+
+#include "core/cloudscape.h"
+#include "core/frame.h"
+
+namespace cloudscape::settings {
+
+// Half a year either way: drift in float stays finer than a metre after the tile's period is taken off in double.
+constexpr Limits time_s_limits{-1.6e7, 1.6e7};
+// Of a picture's side, whatever the server's own limit: the stream's header has 16 bits.
+constexpr Limits side_px_limits{1, 65535};
+
+struct StillCamera {
+  CameraPose pose;
+  Lens lens;
+
+  static void fields(auto& self, auto&& visit) {
+    CameraPose::fields(self.pose, visit);
+    visit("lens", self.lens, Limits{}, "Projection and field of view.");
+  }
+};
+
+struct StillImage {
+  ImageSize size_px;
+  Quality quality = Quality::standard;
+  std::optional<int> samples;
+  double time_s = 0;
+  Display display;
+  Encoding encoding;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("width", self.size_px.width, side_px_limits, "Width of the picture, pixels.");
+    visit("height", self.size_px.height, side_px_limits, "Height of the picture, pixels.");
+    visit("quality", self.quality, Limits{}, "How much work the picture is worth.");
+    visit("samples", self.samples, Limits{1, 1024}, "Jittered pictures that are averaged; by default the quality's.");
+    visit("time_s", self.time_s, time_s_limits, "Time that the wind has moved the clouds for, s.");
+    Display::fields(self.display, visit);
+    visit("format", self.encoding.format, Limits{},
+          "jpeg and png: 8 bit display values. exr: linear radiance, alpha and depth.");
+    visit("jpeg_quality", self.encoding.jpeg_quality, Limits{1, 100}, "Quality of a JPEG picture.");
+    visit("exr_type", self.encoding.exr_type, Limits{}, "Size of an OpenEXR picture's numbers: 16 or 32 bits.");
+  }
+};
+
+struct StillSun {
+  Sun sun;
+
+  static void fields(auto& self, auto&& visit) { each_angle(self.sun, visit); }
+  // The sun's two angles as the sun describes them.
+  static void each_angle(auto& sun, auto&& visit) {
+    Sun::fields(sun, [&](std::string_view name, auto& member, const Limits& limits, std::string_view meaning) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, double>)
+        if (&member == &sun.azimuth_deg || &member == &sun.elevation_deg) visit(name, member, limits, meaning);
+    });
+  }
+};
+
+// Everything but the cloudscape.
+struct StillBody {
+  StillCamera camera;
+  StillImage image;
+  StillSun sun;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("camera", self.camera, Limits{}, "Pose and lens; by default the cloudscape's view.");
+    visit("image", self.image, Limits{}, "Size, quality and format.");
+    visit("sun", self.sun, Limits{}, "Where the sun stands; by default as the cloudscape says.");
+  }
+};
+
+}  // namespace cloudscape::settings

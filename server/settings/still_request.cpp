@@ -1,0 +1,196 @@
+// Stills: query parameters and JSON bodies fill the same described values, and what they ask for is held to the limits.
+#include "settings/still_request.h"
+
+#include <algorithm>
+
+#include "core/content_hash.h"
+#include "settings/cloudscape_reader.h"
+#include "settings/described_json.h"
+#include "settings/still_body.h"
+
+namespace cloudscape::settings {
+namespace {
+
+using nlohmann::json;
+
+// A query's name of a member of the body, where it is not the member's own.
+std::string parameter_name(const std::string& path) {
+  if (path == "/camera/position_m") return "position";
+  if (path == "/camera/lens/kind") return "lens";
+  if (path == "/sun/azimuth_deg") return "sun_azimuth_deg";
+  if (path == "/sun/elevation_deg") return "sun_elevation_deg";
+  return path.substr(path.rfind('/') + 1);
+}
+
+// Calls visit(path in the body, member, limits, description) for every parameter.
+template <class T>
+void each_parameter(T& value, auto&& visit, const std::string& path = "") {
+  std::remove_const_t<T>::fields(
+      value, [&](std::string_view name, auto& member, const Limits& limits, std::string_view meaning) {
+        const std::string inner = path + "/" + std::string(name);
+        if constexpr (Described<std::remove_cvref_t<decltype(member)>>)
+          each_parameter(member, visit, inner);
+        else
+          visit(inner, member, limits, meaning);
+      });
+}
+
+StillBody body_of(const Cloudscape& cloudscape) {
+  StillBody body;
+  body.camera = {cloudscape.view.pose, cloudscape.view.lens};
+  body.image.display = cloudscape.view.display;
+  body.image.encoding.chroma = ChromaSubsampling::none;
+  body.sun.sun = cloudscape.sun;
+  return body;
+}
+
+// What cannot change the picture's bytes takes its default, so that requests that mean the same are the same.
+void settle(StillImage& image) {
+  const Encoding defaults;
+  if (image.encoding.format != ImageFormat::jpeg) image.encoding.jpeg_quality = defaults.jpeg_quality;
+  if (image.encoding.format != ImageFormat::exr) image.encoding.exr_type = defaults.exr_type;
+  if (image.encoding.format == ImageFormat::exr) image.display = Display{};
+  if (!image.samples) image.samples = render_quality(image.quality).samples;
+}
+
+void check_side(int side_px, const std::string& pointer, const StillLimits& limits) {
+  if (side_px > limits.max_side_px)
+    throw OverLimit(pointer, "is " + std::to_string(side_px) + ": this server's limit is " +
+                                 std::to_string(limits.max_side_px) + " pixels a side");
+}
+
+// `prefix` is where the picture's members stand: "/" in a query, "/image/" in a body.
+void check_limits(const StillImage& image, const RenderQuality& quality, const std::string& prefix,
+                  const StillLimits& limits) {
+  check_side(image.size_px.width, prefix + "width", limits);
+  check_side(image.size_px.height, prefix + "height", limits);
+  const double pixels = double(image.size_px.width) * image.size_px.height;
+  if (pixels / 1e6 > limits.max_megapixels)
+    throw OverLimit(prefix + "width", "times height is " + number_text(pixels / 1e6) +
+                                          " megapixels: this server's limit is " + number_text(limits.max_megapixels));
+  const double gigasteps = pixels * quality.samples * quality.max_steps / 1e9;
+  if (gigasteps > limits.max_gigasteps)
+    throw OverLimit(prefix + "quality", "asks for " + number_text(gigasteps) +
+                                            " gigasteps (pixels * samples * steps / 1e9): this server's limit is " +
+                                            number_text(limits.max_gigasteps) +
+                                            "; lower width, height, samples or quality");
+}
+
+std::shared_ptr<const Cloudscape> under_sun(const std::shared_ptr<const Cloudscape>& cloudscape, const Sun& sun) {
+  if (cloudscape->sun == sun) return cloudscape;
+  auto changed = std::make_shared<Cloudscape>(*cloudscape);
+  changed->sun = sun;
+  return changed;
+}
+
+std::string canonical_text(const Cloudscape& cloudscape, const StillBody& body) {
+  std::string text = "cloudscape=" + content_hash(cloudscape);
+  each_parameter(body, [&](const std::string& path, const auto& member, auto&&...) {
+    text += "&" + parameter_name(path) + "=" + value_as_text(write(member));
+  });
+  return text;
+}
+
+StillRequest finish(const std::shared_ptr<const Cloudscape>& cloudscape, StillBody body, const std::string& prefix,
+                    const StillLimits& limits) {
+  settle(body.image);
+  StillRequest request;
+  request.frame.cloudscape = under_sun(cloudscape, body.sun.sun);
+  request.frame.pose = body.camera.pose;
+  request.frame.lens = body.camera.lens;
+  request.frame.display = body.image.display;
+  request.frame.size_px = body.image.size_px;
+  request.frame.quality = render_quality(body.image.quality);
+  request.frame.quality.samples = *body.image.samples;
+  request.frame.time_s = body.image.time_s;
+  request.encoding = body.image.encoding;
+  request.frame.content = request.encoding.format == ImageFormat::exr ? FrameContent::radiance : FrameContent::display;
+  check_limits(body.image, request.frame.quality, prefix, limits);
+  request.canonical = canonical_text(*request.frame.cloudscape, body);
+  return request;
+}
+
+const char* const cloudscape_missing = "is missing: must name a cloudscape, such as fair-weather-cumulus";
+
+void check_names(const Parameters& parameters, const StillBody& body) {
+  std::vector<std::string> names{"cloudscape"};
+  each_parameter(body, [&](const std::string& path, auto&&...) { names.push_back(parameter_name(path)); });
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  std::vector<std::string_view> seen;
+  for (const auto& [name, value] : parameters) {
+    const std::string pointer = "/" + pointer_part(name);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InvalidInput(pointer, "is not a known parameter: " + suggestion(name, known));
+    if (std::find(seen.begin(), seen.end(), name) != seen.end())
+      throw InvalidInput(pointer, "stands twice: keep one of the two");
+    seen.push_back(name);
+  }
+}
+
+const std::string* find_value(const Parameters& parameters, const std::string& name) {
+  for (const auto& [key, value] : parameters)
+    if (key == name) return &value;
+  return nullptr;
+}
+
+std::shared_ptr<const Cloudscape> cloudscape_in(const json& body, const CloudscapeLibrary& library) {
+  const auto cloudscape = body.find("cloudscape");
+  if (cloudscape == body.end()) throw InvalidInput("/cloudscape", cloudscape_missing);
+  if (cloudscape->is_string()) return library.get(cloudscape->get_ref<const std::string&>());
+  if (!cloudscape->is_object()) refuse("/cloudscape", *cloudscape, "a cloudscape's name or a whole document");
+  return std::make_shared<const Cloudscape>(read_cloudscape(*cloudscape, "/cloudscape"));
+}
+
+// Whose value a parameter takes where it is absent.
+std::string default_text(const std::string& path, const std::string& own) {
+  const auto shown_as = field_names<Display>();
+  const std::string name = path.substr(path.rfind('/') + 1);
+  if (path.starts_with("/sun/")) return "the cloudscape's sun";
+  if (path.starts_with("/camera/") || std::find(shown_as.begin(), shown_as.end(), name) != shown_as.end())
+    return "the cloudscape's view";
+  return name == "samples" ? "the quality's" : own;
+}
+
+}  // namespace
+
+StillRequest still_from_parameters(const Parameters& parameters, const CloudscapeLibrary& library,
+                                   const StillLimits& limits) {
+  check_names(parameters, {});
+  const std::string* name = find_value(parameters, "cloudscape");
+  if (!name) throw InvalidInput("/cloudscape", cloudscape_missing);
+  const auto cloudscape = library.get(*name);
+  StillBody body = body_of(*cloudscape);
+  each_parameter(body, [&](const std::string& path, auto& member, const Limits& within, std::string_view) {
+    const std::string key = parameter_name(path);
+    if (const std::string* text = find_value(parameters, key)) read_text(*text, member, "/" + key, within);
+  });
+  return finish(cloudscape, body, "/", limits);
+}
+
+StillRequest still_from_json(std::string_view text, const CloudscapeLibrary& library, const StillLimits& limits) {
+  json parsed = parse_json(text, "body");
+  auto names = field_names<StillBody>();
+  names.insert(names.begin(), "cloudscape");
+  detail::check_object(parsed, "", names);
+  const auto cloudscape = cloudscape_in(parsed, library);
+  parsed.erase("cloudscape");
+  StillBody body = body_of(*cloudscape);
+  read(parsed, body, "");
+  return finish(cloudscape, body, "/image/", limits);
+}
+
+std::vector<ParameterInfo> still_parameters(const StillLimits& limits) {
+  std::vector<ParameterInfo> parameters{
+      {"cloudscape", "string", "Name of the cloudscape; required.", {}, std::nullopt, std::nullopt, ""}};
+  const StillBody body = body_of({});
+  each_parameter(body,
+                 [&](const std::string& path, const auto& member, const Limits& within, std::string_view meaning) {
+                   ParameterInfo info = describe(parameter_name(path), member, within, meaning);
+                   info.default_text = default_text(path, info.default_text);
+                   if (info.name == "width" || info.name == "height") info.max = limits.max_side_px;
+                   parameters.push_back(std::move(info));
+                 });
+  return parameters;
+}
+
+}  // namespace cloudscape::settings

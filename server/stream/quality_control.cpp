@@ -1,0 +1,109 @@
+#include "stream/quality_control.h"
+
+#include <algorithm>
+
+namespace cloudscape::stream {
+namespace {
+
+constexpr int coarsest_divisor = 4;  // of the interface; a cloud's edge is 4 pixels wide then
+
+// tuned: the gap between the two is what keeps a noisy render time from pumping.
+constexpr double slow_share = 1.2, fast_share = 0.9;
+
+// tuned: a try of a finer divisor that fails makes the next wait four times as long, up to 20 s at 25 frames a second;
+// one that lasts `proven_frames` has succeeded.
+constexpr std::size_t patience_factor = 4, longest_patience = 512, proven_frames = 64;
+
+// How much of a frame's time follows its marched pixels; the rest (scene, tone map, readback) is paid at any divisor.
+// All of it is the worst case, so that what fits then is sure to fit. tuned: half of it is a bold guess, for a try that
+// fails costs two slow frames, and one that is never made leaves the picture coarse for good.
+constexpr double sure_share = 1.0, bold_share = 0.5;
+
+// tuned: fractions of the target that a frame may queue; between them quality stays.
+constexpr double congested_share = 0.3, calm_share = 0.1;
+constexpr int lowest_quality = 55, highest_quality = 85;  // tuned: blocks begin to show; more bytes show nothing
+constexpr int quality_steps_down = 12;                    // tuned: at once, at most; a third of the bytes
+constexpr double bytes_per_quality = 0.02;                // share; measured on clouds between 55 and 85
+constexpr int calm_acknowledgements = 5, held_acknowledgements = 3;  // tuned; those under way tell of the old quality
+
+}  // namespace
+
+void MarchControl::rendered(int divisor, double render_ms) {
+  if (divisor != divisor_) return;
+  recent_ms_[held_++ % recent_ms_.size()] = render_ms;
+  if (held_ >= proven_frames && tried_finer_) {
+    tried_finer_ = false;
+    patience_ = first_patience;
+  }
+  if (render_ms > slow_share * target_ms_) return too_slow(render_ms);
+  slow_ms_ = 0;
+  if (held_ >= first_patience) look_for_finer();
+}
+
+// Two in a row: a single one may be a shader that was compiled, or another program's hiccup.
+void MarchControl::too_slow(double render_ms) {
+  if (divisor_ == coarsest_divisor) return;
+  if (slow_ms_ == 0) {
+    slow_ms_ = render_ms;
+    return;
+  }
+  const double marched_ms = std::min(slow_ms_, render_ms) * divisor_ * divisor_;
+  int divisor = divisor_ + 1;
+  while (divisor < coarsest_divisor && marched_ms > target_ms_ * divisor * divisor) ++divisor;
+  if (tried_finer_) patience_ = std::min(patience_factor * patience_, longest_patience);
+  change_to(divisor);
+}
+
+void MarchControl::look_for_finer() {
+  const int bold = finest_affordable(bold_share), sure = finest_affordable(sure_share);
+  const int divisor = held_ >= patience_ ? bold : sure;
+  if (divisor == divisor_) return;
+  change_to(divisor);
+  tried_finer_ = divisor < sure;
+}
+
+void MarchControl::change_to(int divisor) {
+  divisor_ = divisor;
+  slow_ms_ = 0;
+  held_ = 0;
+  tried_finer_ = false;
+}
+
+int MarchControl::finest_affordable(double marched_share) const {
+  const double slowest_ms = *std::ranges::max_element(recent_ms_);
+  const auto predicted_ms = [&](int divisor) {
+    const double pixels = static_cast<double>(divisor_ * divisor_) / (divisor * divisor);
+    return slowest_ms * (1 - marched_share + marched_share * pixels);
+  };
+  for (int divisor = 1; divisor < divisor_; ++divisor)
+    if (predicted_ms(divisor) <= fast_share * target_ms_) return divisor;
+  return divisor_;
+}
+
+void JpegControl::acknowledged(double queued_ms, double interval_ms) {
+  constexpr double gain = 1.0 / 3;  // tuned: one late acknowledgement alone does not count as a queue
+  queued_ms_ += gain * (queued_ms - queued_ms_);
+  calm_ = queued_ms_ < calm_share * target_ms_ ? calm_ + 1 : 0;
+  if (hold_ > 0) {
+    --hold_;
+  } else if (queued_ms_ > congested_share * target_ms_) {
+    // Half of what would empty the queue by the next frame: the frames under way empty it too.
+    const double excess = std::min(queued_ms_ / std::max(interval_ms, 1.0), 1.0) / 2;
+    lower(static_cast<int>(excess / bytes_per_quality));
+  } else if (calm_ >= calm_acknowledgements) {
+    quality_ = std::min(quality_ + 1, highest_quality);
+    calm_ = 0;
+  }
+}
+
+void JpegControl::dropped() {
+  if (hold_ == 0) lower(quality_steps_down / 2);
+}
+
+void JpegControl::lower(int by) {
+  quality_ = std::max(quality_ - std::clamp(by, 1, quality_steps_down), lowest_quality);
+  hold_ = held_acknowledgements;
+  calm_ = 0;
+}
+
+}  // namespace cloudscape::stream

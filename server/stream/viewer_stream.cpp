@@ -1,0 +1,189 @@
+#include "stream/viewer_stream.h"
+
+#include <algorithm>
+
+#include "stream/milliseconds.h"
+#include "stream/refinement.h"
+
+namespace cloudscape::stream {
+namespace {
+
+// tuned: pauses between two steps of a hand or of a slow network stay below it; a resting viewer waits for it.
+constexpr std::chrono::milliseconds settle{150};
+
+bool same_cloudscape(const std::shared_ptr<const Cloudscape>& a, const std::shared_ptr<const Cloudscape>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
+bool same_picture(const StreamView& a, const StreamView& b) {
+  return a.pose == b.pose && a.lens == b.lens && a.display == b.display && a.size_px == b.size_px &&
+         a.quality == b.quality && a.time_s == b.time_s && same_cloudscape(a.cloudscape, b.cloudscape);
+}
+
+}  // namespace
+
+ViewerStream::ViewerStream(StreamId id, const StreamView& view, const SchedulerOptions& options, Time now)
+    : id_(id),
+      view_(view),
+      moved_since_(now),
+      moved_at_(now),
+      rendered_at_(now),
+      flights_(options.max_in_flight),
+      meter_(now),
+      march_(options.target_frame_ms),
+      jpeg_(options.target_frame_ms) {}
+
+bool ViewerStream::update(const StreamView& view, Time now) {
+  if (!same_picture(view, view_)) moved_at_ = now;
+  view_ = view;
+  const bool moved = !shown_ || !same_picture(view_, *shown_);
+  if (moved && !moved_) moved_since_ = now;
+  moved_ = moved;
+  if (!yielded_ || wanted(*work_)) return false;
+  abandon();
+  return true;
+}
+
+std::optional<Flights::Acknowledged> ViewerStream::acknowledge(std::uint32_t frame_id, double decode_ms, Time now) {
+  const auto acknowledged = flights_.acknowledge(frame_id, decode_ms, now);
+  if (acknowledged && acknowledged->queued_ms)
+    jpeg_.acknowledged(*acknowledged->queued_ms, flights_.round_trip().frame_ms());
+  return acknowledged;
+}
+
+bool ViewerStream::dropped(std::uint32_t frame_id) {
+  if (!flights_.dropped(frame_id)) return false;
+  jpeg_.dropped();
+  ++dropped_;
+  return true;
+}
+
+StreamStats ViewerStream::stats(Time now) const {
+  return {meter_.frames_per_second(now),
+          meter_.bits_per_second(now),
+          flights_.round_trip().ms(),
+          render_ms_,
+          encode_ms_,
+          dropped_,
+          flights_.window()};
+}
+
+Time ViewerStream::rested_at() const { return std::max(moved_at_ + settle, rendered_at_); }
+
+std::optional<Time> ViewerStream::ready_at() const {
+  if (work_) return yielded_ ? std::optional(work_->queued) : std::nullopt;
+  if (!flights_.has_room()) return {};
+  if (moved_) return moved_since_;
+  if (given_up_ || accumulated_ >= render_quality(view_.quality).samples) return {};
+  return rested_at();
+}
+
+Work ViewerStream::take(Time now) {
+  if (!work_) {
+    work_ = moved_ ? moving_frame() : refining_frame();
+    work_->queued = std::min(work_->queued, now);
+    ++next_frame_id_;
+    ++sequence_;
+  }
+  yielded_ = false;
+  return *work_;
+}
+
+Work ViewerStream::next_frame(const RenderQuality& quality, const Encoding& encoding) const {
+  Work work;
+  work.request = {view_.cloudscape,
+                  view_.pose,
+                  view_.lens,
+                  view_.display,
+                  view_.size_px,
+                  quality,
+                  view_.time_s,
+                  FrameContent::display,
+                  id_,
+                  sequence_,
+                  0};
+  work.encoding = encoding;
+  work.frame_id = next_frame_id_;
+  work.pose_sequence = view_.pose_sequence;
+  return work;
+}
+
+Work ViewerStream::moving_frame() {
+  shown_ = view_;
+  moved_ = false;
+  view_frame_id_ = next_frame_id_;
+  accumulated_ = 0;
+  given_up_ = false;
+  RenderQuality quality = render_quality(Quality::interactive);
+  quality.march_divisor = march_.divisor();
+  quality.samples = 1;
+  Work work = next_frame(quality, {ImageFormat::jpeg, jpeg_.quality(), ChromaSubsampling::half});
+  work.quality_stage = moving_stage;
+  work.queued = moved_since_;
+  return work;
+}
+
+Work ViewerStream::refining_frame() const {
+  RenderQuality quality = render_quality(view_.quality);
+  const RefinementStep step = refinement_step(accumulated_, quality.samples);
+  quality.march_divisor = 1;
+  quality.samples = step.samples;
+  Work work = next_frame(quality, step.encoding);
+  work.request.first_sample = step.first_sample;
+  work.quality_stage = step.stage;
+  work.queued = rested_at();
+  return work;
+}
+
+// A moving frame is always wanted: were it abandoned too, a viewer that moves faster than frames render would see none.
+bool ViewerStream::wanted(const Work& work) const {
+  return in_render(work) && (work.quality_stage == moving_stage || !moved_);
+}
+
+bool ViewerStream::yield(const Work& work) {
+  yielded_ = wanted(work);
+  if (!yielded_ && in_render(work)) abandon();
+  return yielded_;
+}
+
+bool ViewerStream::rendered(const Work& work, double render_ms, Time now) {
+  if (!in_render(work)) return false;
+  const RenderQuality& quality = work.request.quality;
+  if (work.quality_stage == moving_stage)
+    march_.rendered(quality.march_divisor, render_ms);
+  else
+    accumulated_ = work.request.first_sample + quality.samples;
+  flights_.rendered(work.frame_id, work.quality_stage == moving_stage, render_ms);
+  render_ms_ = render_ms;
+  rendered_at_ = now;
+  forget_work();
+  return true;
+}
+
+void ViewerStream::encoded(const Work& work, std::size_t bytes, double encode_ms, Time now) {
+  flights_.encoded(work.frame_id, encode_ms, now);
+  encode_ms_ = encode_ms;
+  meter_.add(bytes, now);
+}
+
+// The view that fails now would fail again at once: it waits for another.
+bool ViewerStream::failed(const Work& work) {
+  const bool rendering = in_render(work);
+  if (!rendering && !flights_.failed(work.frame_id)) return false;
+  if (rendering) forget_work();
+  if (work.frame_id >= view_frame_id_) given_up_ = true;
+  return true;
+}
+
+void ViewerStream::forget_work() {
+  work_.reset();
+  yielded_ = false;
+}
+
+// Some samples of the step may be in the renderer's average already, so that the average starts anew.
+void ViewerStream::abandon() {
+  forget_work();
+  accumulated_ = 0;
+}
+
+}  // namespace cloudscape::stream

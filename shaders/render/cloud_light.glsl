@@ -1,0 +1,90 @@
+// Light at a point in the medium: the sun through the medium, and what the sky and the ground add.
+#ifndef RENDER_CLOUD_LIGHT
+#define RENDER_CLOUD_LIGHT
+#include "render/medium.glsl"
+#include "render/sky.glsl"
+#include "lib/phase.glsl"
+#include "lib/transport.glsl"
+
+const int light_single = 0;
+const int light_olajos = 1;
+
+// Optical depth from p towards the sun. Steps grow with the square of their number: near occluders matter most.
+float sun_optical_depth(vec3 p) {
+  vec3 sun = frame.sun_direction.xyz;
+  Stretch path = medium_stretch(p, sun);
+  float end_m = min(path.end, cloud.march.x);
+  if (end_m <= path.begin) return 0.0;
+  if (volume_kind() != volume_noise && volume_kind() != volume_gaussian)
+    return cloud.medium.x * (path.end - path.begin);
+  int steps = int(cloud.steps.w);
+  float sum_m = 0.0;
+  float previous = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    float next = float(i + 1) / float(steps);
+    next *= next;
+    float middle_m = mix(path.begin, end_m, 0.5 * (previous + next));
+    sum_m += density_at(p + sun * middle_m, i < 2) * (next - previous);
+    previous = next;
+  }
+  return sum_m * (end_m - path.begin) * cloud.medium.x;
+}
+
+// What stays the same along a view ray: phase values of the sun, by octave, and the colours of the light.
+struct RayLight {
+  float phase;
+  vec4 octaves_low, octaves_high;  // weight times phase
+  vec3 sun_bottom, sun_top, sky, ground;
+};
+
+float octave_phase(float cos_theta, float broadening) {
+  return phase_of_kind(int(cloud.medium.w), cos_theta, cloud.phase.x, cloud.phase.y, cloud.phase.z, broadening);
+}
+vec4 octave_phases(float cos_theta, vec4 broadening) {
+  return vec4(octave_phase(cos_theta, broadening.x), octave_phase(cos_theta, broadening.y),
+              octave_phase(cos_theta, broadening.z), octave_phase(cos_theta, broadening.w));
+}
+
+RayLight ray_light(vec3 direction) {
+  RayLight light;
+  float cos_theta = dot(direction, frame.sun_direction.xyz);
+  light.phase = octave_phase(cos_theta, 1.0);
+  light.octaves_low = cloud.octave_weight_low * octave_phases(cos_theta, cloud.octave_asymmetry_low);
+  light.octaves_high = vec4(0.0);
+  if (cloud.octave_weight_high.x > 0.0)
+    light.octaves_high = cloud.octave_weight_high * octave_phases(cos_theta, cloud.octave_asymmetry_high);
+  light.sun_bottom = sun_irradiance_at_bottom();
+  light.sun_top = sun_irradiance_at_top();
+  light.sky = sky_mean_radiance();
+  light.ground = ground_radiance();
+  return light;
+}
+
+// Sunlight scattered towards the camera per unit of irradiance, 1/sr.
+float sun_scatter(RayLight light, float optical_depth) {
+  int kind = int(cloud.phase.w);
+  if (kind == light_single) return light.phase * exp(-optical_depth);
+  if (kind == light_olajos) {
+    return light.phase * exp(-optical_depth) +
+           cloud.olajos.z * phase_isotropic * olajos_light(optical_depth, cloud.olajos.x, cloud.olajos.y);
+  }
+  float sum = dot(light.octaves_low, exp(-optical_depth * cloud.octave_extinction_low));
+  if (cloud.octave_weight_high.x > 0.0) sum += dot(light.octaves_high, exp(-optical_depth * cloud.octave_extinction_high));
+  return sum;
+}
+
+// Mean radiance that arrives from sky and ground at height h (0..1) in the medium. tuned: the sky is hidden by the cloud above
+// and the ground by the cloud below, in proportion to the height.
+vec3 ambient(RayLight light, float h) {
+  float sky_share = mix(0.3, 1.0, smoothstep(0.0, 1.0, h));
+  float ground_share = (1.0 - h) * (1.0 - h);
+  return cloud.medium.z * 0.5 * (light.sky * sky_share + light.ground * ground_share);
+}
+
+// Radiance scattered per metre at density 1.
+vec3 source_radiance(RayLight light, vec3 p) {
+  float h = clamp((altitude_of(p) - cloud.layer.x) * cloud.layer.z, 0.0, 1.0);
+  vec3 sun = mix(light.sun_bottom, light.sun_top, h);
+  return cloud.medium.y * (sun * sun_scatter(light, sun_optical_depth(p)) + ambient(light, h));
+}
+#endif

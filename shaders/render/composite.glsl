@@ -1,0 +1,35 @@
+// targets: rgba32f r32f
+// Puts the clouds into the scene and adds the sample to the average of those before it. Target 0: radiance, 1 - transmittance of
+// the clouds. Target 1: distance of what is seen, m.
+#include "shared/frame_block.glsl"
+#include "lib/constants.glsl"
+layout(binding = 0) uniform sampler2D scene_radiance;
+layout(binding = 1) uniform sampler2D scene_depth;
+layout(binding = 2) uniform sampler2D march_radiance;
+layout(binding = 3) uniform sampler2D march_depth;
+layout(binding = 4) uniform sampler2D previous_radiance;
+layout(binding = 5) uniform sampler2D previous_depth;
+
+PassOutput shade(ivec2 pixel) {
+  vec4 scene = texelFetch(scene_radiance, pixel, 0);
+  float depth_m = texelFetch(scene_depth, pixel, 0).x;
+  vec4 march;
+  vec2 far;
+  if (frame.size.w == 1) {
+    march = texelFetch(march_radiance, pixel, 0);
+    far = texelFetch(march_depth, pixel, 0).xy;
+  } else {
+    vec2 uv = (vec2(pixel) + 0.5) / (float(frame.size.w) * vec2(textureSize(march_radiance, 0)));
+    march = texture(march_radiance, uv);
+    far = texelFetch(march_depth, ivec2(uv * vec2(textureSize(march_depth, 0))), 0).xy;
+  }
+  vec3 lit = scene.xyz * (1.0 - scene.w * (1.0 - far.y));
+  vec4 result = vec4(lit * march.w + march.xyz, 1.0 - march.w);
+  float seen_m = result.w >= 0.5 ? min(far.x, depth_m) : depth_m;
+  float weight = frame.accumulation.x;
+  if (weight < 1.0) {
+    result = mix(texelFetch(previous_radiance, pixel, 0), result, weight);
+    seen_m = mix(texelFetch(previous_depth, pixel, 0).x, seen_m, weight);
+  }
+  return PassOutput(result, vec4(seen_m));
+}

@@ -1,0 +1,86 @@
+// The medium: density at a point, and where along a ray there can be any.
+#ifndef RENDER_MEDIUM
+#define RENDER_MEDIUM
+#include "shared/cloud_block.glsl"
+#include "lib/intersect.glsl"
+layout(binding = 0) uniform sampler3D shape_texture;
+layout(binding = 1) uniform sampler3D detail_texture;
+layout(binding = 2) uniform sampler3D variation_texture;
+
+const int volume_noise = 0;
+const int volume_sphere = 1;
+const int volume_box = 2;
+const int volume_slab = 3;
+const int volume_gaussian = 4;
+int volume_kind() { return int(cloud.layer.w); }
+
+vec3 box_center() { return 0.5 * (cloud.box_low.xyz + cloud.box_high.xyz); }
+float sphere_radius_m() { return 0.5 * (cloud.box_high.x - cloud.box_low.x); }
+
+// How much of the billows is carved away on average, where the detail texture itself is not read (far away, towards the sun).
+const float mean_erosion = 0.45;  // tuned: the mean of `erosion_at`
+
+float erosion_at(vec3 p, float h) {
+  vec4 noise = texture(detail_texture, p * cloud.detail.x + cloud.detail.yzw);
+  // Billows at the tops, their inverse at the base: wisps (after Schneider and Vos 2015).
+  return mix(mix(noise.x, noise.y, 0.5), 1.0 - noise.x, clamp(h * 6.0, 0.0, 1.0));
+}
+
+// Density 0..1 of a noise volume. `detailed`: read the detail texture (costs one more sample).
+float noise_density(vec3 p, bool detailed) {
+  float h = (altitude_of(p) - cloud.layer.x) * cloud.layer.z;
+  if (h <= 0.0 || h >= 1.0) return 0.0;
+  vec2 tile = p.xy * cloud.tile.xy + cloud.tile.zw;
+  if (cloud.box_low.w == 0.0 && (tile.x < 0.0 || tile.x > 1.0 || tile.y < 0.0 || tile.y > 1.0)) return 0.0;
+  float threshold = cloud.shape.x;
+  if (cloud.shape.z > 0.0) {
+    vec3 slow = texture(variation_texture, vec3(p.xy * cloud.variation.x + cloud.variation.yz, 0.5)).xyz;
+    threshold += cloud.shape.z * (slow.x - 0.5);
+    tile += cloud.shape.w * (slow.yz - 0.5);
+  }
+  vec4 noise = texture(shape_texture, vec3(tile, h));
+  float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5));
+  float density = clamp((value - threshold) * cloud.shape.y, 0.0, 1.0);
+  if (density <= 0.0 || cloud.erosion.x == 0.0) return density;
+  float erosion = cloud.erosion.x * (detailed ? erosion_at(p, h) : mean_erosion);
+  return clamp((density - erosion) / (1.0 - erosion), 0.0, 1.0);
+}
+
+float density_at(vec3 p, bool detailed) {
+  if (volume_kind() == volume_noise) return noise_density(p, detailed);
+  if (volume_kind() != volume_gaussian) return 1.0;  // homogeneous inside its interval
+  vec3 d = (p - box_center()) / (0.125 * (cloud.box_high.x - cloud.box_low.x));
+  return exp(-0.5 * dot(d, d));
+}
+
+// Up to two stretches of a ray: from begin to end without the gap.
+struct Stretch {
+  float begin, gap_begin, gap_end, end;
+};
+
+Stretch stretch_of(vec2 interval) { return Stretch(max(interval.x, 0.0), no_hit_m, no_hit_m, interval.y); }
+
+// A layer between two altitudes about the planet; from above a ray can enter it twice.
+Stretch layer_stretch(vec3 origin, vec3 direction) {
+  vec2 top = intersect_altitude(origin, direction, cloud.layer.y);
+  if (top.x > top.y || top.y <= 0.0) return stretch_of(vec2(1.0, -1.0));
+  Stretch found = stretch_of(top);
+  vec2 bottom = intersect_altitude(origin, direction, cloud.layer.x);
+  if (bottom.x > bottom.y || bottom.y <= 0.0) return found;
+  if (bottom.x <= found.begin) {
+    found.begin = bottom.y;
+  } else {
+    found.gap_begin = bottom.x;
+    found.gap_end = bottom.y;
+  }
+  return found;
+}
+
+Stretch medium_stretch(vec3 origin, vec3 direction) {
+  int kind = volume_kind();
+  if (kind == volume_noise) return layer_stretch(origin, direction);
+  if (kind == volume_sphere) return stretch_of(intersect_sphere(origin, direction, box_center(), sphere_radius_m()));
+  if (kind == volume_slab) return stretch_of(intersect_slab(origin.z, direction.z, cloud.box_low.z, cloud.box_high.z));
+  return stretch_of(intersect_box(origin, direction, cloud.box_low.xyz, cloud.box_high.xyz));
+}
+#endif

@@ -1,0 +1,23 @@
+// What the bake shaders need (server/bake fills it). Binding 0.
+#ifndef SHARED_BAKE_BLOCK
+#define SHARED_BAKE_BLOCK
+#include "shared/block.glsl"
+
+/* channel_n: frequency, octaves, lacunarity, unused; mix_n: Worley mix, gain, 0, 0 of the four shape channels.
+   profile: height_rise, height_fall, number of towers, 0. seed: seed, permutation seed != 0, 0, 0.
+   detail: frequency, octaves, resolution, 0. */
+#define BAKE_FIELDS(F) \
+  F(ivec4, channel_0) \
+  F(ivec4, channel_1) \
+  F(ivec4, channel_2) \
+  F(ivec4, channel_3) \
+  F(vec4, mix_0) \
+  F(vec4, mix_1) \
+  F(vec4, mix_2) \
+  F(vec4, mix_3) \
+  F(vec4, profile) \
+  F(uvec4, seed) \
+  F(ivec4, size) \
+  F(ivec4, detail)
+DECLARE_BLOCK(BakeBlock, bake, 0, BAKE_FIELDS)
+#endif

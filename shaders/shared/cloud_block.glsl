@@ -1,0 +1,38 @@
+// The medium and how it is marched (server/render fills it). Binding 2.
+#ifndef SHARED_CLOUD_BLOCK
+#define SHARED_CLOUD_BLOCK
+#include "shared/block.glsl"
+
+/* layer: bottom altitude, top altitude, 1 / thickness, kind as core's VolumeKind.
+   tile: 1 / size east, 1 / size north (1/m), offset east, north (tiles) of the point below the camera.
+   box_low, box_high: corners of the volume relative to the point below the camera (not curved), w of low: tiles?
+   shape: threshold, 1 / edge softness, variation amount, shift of the tile by the variation (tiles).
+   weights: of the four shape channels. variation: 1 / period (1/m), offset east, north (periods), 0.
+   detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, distance at which it is gone (m), 0, 0.
+   medium: extinction (1/m), scattering (1/m), ambient scale, phase kind. phase: g, second g, second weight, light function.
+   olajos: attenuation, in-scatter, gain, 0.
+   octave_weight_low/high, octave_extinction_low/high, octave_asymmetry_low/high: of octaves 0..3 and 4..7; weight 0: unused.
+   steps: first step (m), growth, greatest number, light steps. march: light distance (m), view distance (m), 0, 0. */
+#define CLOUD_FIELDS(F) \
+  F(vec4, layer) \
+  F(vec4, tile) \
+  F(vec4, box_low) \
+  F(vec4, box_high) \
+  F(vec4, shape) \
+  F(vec4, weights) \
+  F(vec4, variation) \
+  F(vec4, detail) \
+  F(vec4, erosion) \
+  F(vec4, medium) \
+  F(vec4, phase) \
+  F(vec4, olajos) \
+  F(vec4, octave_weight_low) \
+  F(vec4, octave_weight_high) \
+  F(vec4, octave_extinction_low) \
+  F(vec4, octave_extinction_high) \
+  F(vec4, octave_asymmetry_low) \
+  F(vec4, octave_asymmetry_high) \
+  F(vec4, steps) \
+  F(vec4, march)
+DECLARE_BLOCK(CloudBlock, cloud, 2, CLOUD_FIELDS)
+#endif
