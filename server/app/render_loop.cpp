@@ -75,7 +75,7 @@ void RenderLoop::loop(GpuStack& stack) {
     if (pending_ && (!work || pending_->frame.ready())) collect(stack);
     if (work) continue;
     if (scheduler_.stopped()) return;
-    for (const StreamId stream : scheduler_.take_closed()) drop(stack, stream);
+    drop_the_gone(stack);
     if (stack.shaders.changed()) stack.renderer.reload_shaders();
     metrics_.set("cloudscape_history_bytes", static_cast<double>(stack.renderer.history_bytes()));
     metrics_.set("cloudscape_bake_bytes", static_cast<double>(stack.bakes.bytes()));
@@ -148,6 +148,15 @@ void RenderLoop::drop(GpuStack& stack, StreamId stream) {
     active_.erase(found);
   }
   stack.renderer.forget(stream);
+}
+
+// Streams that were closed and stills that were cancelled since.
+void RenderLoop::drop_the_gone(GpuStack& stack) {
+  for (const StreamId stream : stack.renderer.remembered()) {
+    const auto active = active_.find(stream);
+    const bool rendering = active != active_.end() && scheduler_.wanted(active->second.work);
+    if (!rendering && !scheduler_.is_open(stream)) drop(stack, stream);
+  }
 }
 
 }  // namespace cloudscape::app

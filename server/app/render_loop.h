@@ -42,6 +42,7 @@ class RenderLoop {
   void encode(const stream::Work& work, Frame frame);
   void fail(GpuStack& stack, const stream::Work& work, const std::string& message);
   void drop(GpuStack& stack, StreamId stream);
+  void drop_the_gone(GpuStack& stack);
 
   GpuOptions options_;
   std::shared_ptr<const Cloudscape> first_;

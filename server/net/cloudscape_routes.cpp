@@ -13,10 +13,8 @@ namespace {
 Response list(const Request& request, const settings::CloudscapeLibrary& library) {
   nlohmann::ordered_json entries = nlohmann::ordered_json::array();
   for (const auto& entry : library.list())
-    entries.push_back({{"name", entry.name},
-                       {"title", entry.title},
-                       {"description", entry.description},
-                       {"preset", entry.preset}});
+    entries.push_back(
+        {{"name", entry.name}, {"title", entry.title}, {"description", entry.description}, {"preset", entry.preset}});
   const std::string text = nlohmann::ordered_json{{"cloudscapes", entries}}.dump();
   return revalidated(request, json_response(200, text), quoted_etag(text));
 }
@@ -24,7 +22,8 @@ Response list(const Request& request, const settings::CloudscapeLibrary& library
 // The whole document as plain JSON; with ?as=written, the author's text, comments and all.
 Response get(const Request& request, const std::string& name, const settings::CloudscapeLibrary& library) {
   const bool as_written = request.query == settings::Parameters{{"as", "written"}};
-  if (!request.query.empty() && !as_written) throw InvalidInput("/as", "is the only parameter, and must be \"written\"");
+  if (!request.query.empty() && !as_written)
+    throw InvalidInput("/as", "is the only parameter, and must be \"written\"");
   const auto document = library.get(name);
   Response response = as_written ? text_response(200, "text/plain; charset=utf-8", library.text(name))
                                  : json_response(200, settings::to_json(*document));
@@ -60,15 +59,14 @@ Response remove(const std::string& name, Site& site) {
 
 void add_cloudscape_routes(Router& router, Site& site) {
   auto& library = site.parts.library;
-  router.add({"/api/v1/cloudscapes",
+  router.add({"/api/v1/cloudscapes", false, {{Method::get, [&library](const Request& request, auto&) {
+                                                return list(request, library);
+                                              }}}});
+  router.add({"/api/v1/cloudscapes/{name}",
               false,
-              {{Method::get, [&library](const Request& request, auto&) { return list(request, library); }}}});
-  router.add(
-      {"/api/v1/cloudscapes/{name}",
-       false,
-       {{Method::get, [&](const Request& request, auto& name) { return get(request, name, library); }},
-        {Method::put, [&site](const Request& request, auto& name) { return put(request, name, site); }},
-        {Method::del, [&site](const Request&, auto& name) { return remove(name, site); }}}});
+              {{Method::get, [&](const Request& request, auto& name) { return get(request, name, library); }},
+               {Method::put, [&site](const Request& request, auto& name) { return put(request, name, site); }},
+               {Method::del, [&site](const Request&, auto& name) { return remove(name, site); }}}});
 }
 
 }  // namespace cloudscape::net

@@ -84,8 +84,7 @@ void check_free(const Endpoint& endpoint) {
   if (descriptor < 0) throw Error(bind_error(endpoint, errno));
   const int on = 1;
   setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  const bool free =
-      bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 && ::listen(descriptor, 1) == 0;
+  const bool free = bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 && ::listen(descriptor, 1) == 0;
   const int error = errno;
   ::close(descriptor);
   if (!free) throw Error(bind_error(endpoint, error));

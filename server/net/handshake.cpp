@@ -26,8 +26,7 @@ std::optional<Response> refuse_form(const Request& request) {
     return problem(400, "A WebSocket opens with \"Connection: Upgrade\".");
   if (request.websocket_version != "13")
     return problem(426, "Only version 13 of the WebSocket protocol is spoken.").with("sec-websocket-version", "13");
-  if (!valid_websocket_key(request.websocket_key))
-    return problem(400, "Sec-WebSocket-Key must be 16 bytes in base64.");
+  if (!valid_websocket_key(request.websocket_key)) return problem(400, "Sec-WebSocket-Key must be 16 bytes in base64.");
   return std::nullopt;
 }
 

@@ -9,6 +9,7 @@
 
 #include "net/handshake.h"
 #include "net/header_list.h"
+#include "net/lws_request.h"
 #include "net/metric_names.h"
 #include "net/problem.h"
 
@@ -81,8 +82,8 @@ void HttpConnection::on_answer(Response answer) {
 
 int HttpConnection::respond(Response response) {
   response_ = finished(site_, router_, request_, std::move(response));
-  response_.close |= body_unread_ || request_.version != "HTTP/1.1" || has_token(request_.connection, "close") ||
-                     site_.draining;
+  response_.close |=
+      body_unread_ || request_.version != "HTTP/1.1" || has_token(request_.connection, "close") || site_.draining;
   head_ = head_text(response_);
   sent_ = 0;
   size_ = head_.size() + (request_.method == Method::head ? 0 : response_.body.bytes.size());
@@ -155,9 +156,10 @@ int HttpConnection::on_waiting_timer(bool late) {
   if (pending_input() == Input::ended) return -1;
   if (late) {
     site_.stills.leave(waiter_);
-    on_answer(busy(503, "The still took longer than " +
-                            std::to_string(static_cast<int>(site_.parts.settings.still_timeout_s)) +
-                            " s (still_timeout_s): ask for less, or later.",
+    on_answer(busy(503,
+                   "The still took longer than " +
+                       std::to_string(static_cast<int>(site_.parts.settings.still_timeout_s)) +
+                       " s (still_timeout_s): ask for less, or later.",
                    5));
     return 0;
   }

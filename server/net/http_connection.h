@@ -25,7 +25,7 @@ class HttpConnection {
   int on_upgrade();                 // 0: the stream may be opened
   void on_answer(Response answer);  // to the waiter below
   std::uint64_t waiter() const { return stage_ == Stage::waiting ? waiter_ : 0; }
-  bool busy() const { return stage_ != Stage::idle && stage_ != Stage::lingering; }
+  bool answering() const { return stage_ != Stage::idle && stage_ != Stage::lingering; }
 
  private:
   enum class Stage { idle, body, waiting, writing, lingering };

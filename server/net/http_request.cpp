@@ -26,8 +26,7 @@ bool has_body(const Request& request) {
 
 std::pair<std::string, std::string> query_parameter(std::string_view decoded) {
   const auto equals = std::min(decoded.find('='), decoded.size());
-  return {std::string(decoded.substr(0, equals)),
-          std::string(decoded.substr(std::min(equals + 1, decoded.size())))};
+  return {std::string(decoded.substr(0, equals)), std::string(decoded.substr(std::min(equals + 1, decoded.size())))};
 }
 
 bool has_token(std::string_view list, std::string_view token) {

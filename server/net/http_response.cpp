@@ -22,7 +22,8 @@ bool has_no_content(int status) { return status == 204 || status == 304; }
 
 // A header's value comes from our own code only, but a line break in it would be a second header.
 std::string one_line(std::string value) {
-  std::ranges::replace_if(value, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  std::ranges::replace_if(
+      value, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
   return value;
 }
 
@@ -85,7 +86,8 @@ std::string head_text(const Response& response) {
   std::string text = "HTTP/1.1 " + std::to_string(response.status) + ' ';
   text.append(reason_phrase(response.status)).append("\r\n");
   if (!response.content_type.empty()) text += "content-type: " + response.content_type + "\r\n";
-  if (!has_no_content(response.status)) text += "content-length: " + std::to_string(response.body.bytes.size()) + "\r\n";
+  if (!has_no_content(response.status))
+    text += "content-length: " + std::to_string(response.body.bytes.size()) + "\r\n";
   for (const auto& [name, value] : response.headers) text.append(name).append(": ").append(value).append("\r\n");
   if (response.close) text += "connection: close\r\n";
   return text.append(security_headers).append("\r\n");

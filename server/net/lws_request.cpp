@@ -12,9 +12,9 @@ struct MethodToken {
   Method method;
 };
 constexpr std::array method_tokens{
-    MethodToken{WSI_TOKEN_GET_URI, Method::get},         MethodToken{WSI_TOKEN_HEAD_URI, Method::head},
-    MethodToken{WSI_TOKEN_POST_URI, Method::post},       MethodToken{WSI_TOKEN_PUT_URI, Method::put},
-    MethodToken{WSI_TOKEN_DELETE_URI, Method::del},      MethodToken{WSI_TOKEN_OPTIONS_URI, Method::options},
+    MethodToken{WSI_TOKEN_GET_URI, Method::get},     MethodToken{WSI_TOKEN_HEAD_URI, Method::head},
+    MethodToken{WSI_TOKEN_POST_URI, Method::post},   MethodToken{WSI_TOKEN_PUT_URI, Method::put},
+    MethodToken{WSI_TOKEN_DELETE_URI, Method::del},  MethodToken{WSI_TOKEN_OPTIONS_URI, Method::options},
     MethodToken{WSI_TOKEN_PATCH_URI, Method::other},
 };
 

@@ -5,16 +5,16 @@
 
 namespace cloudscape::net::metric {
 
-constexpr auto connections = "cloudscape_connections";                       // TCP connections now
-constexpr auto streams = "cloudscape_streams";                               // viewers now
-constexpr auto messages_in = "cloudscape_stream_messages_received_total";    // client messages
-constexpr auto message_errors = "cloudscape_stream_message_errors_total";    // answered by an error message
-constexpr auto frames_sent = "cloudscape_stream_frames_sent_total";          // handed to a socket
-constexpr auto frames_dropped = "cloudscape_stream_frames_replaced_total";   // by a newer one before the socket took it
-constexpr auto stills_sent = "cloudscape_stills_sent_total";                 // rendered or from the cache
-constexpr auto still_cache_hits = "cloudscape_still_cache_hits_total";       // stills that were not rendered again
-constexpr auto still_cache_bytes = "cloudscape_still_cache_bytes";           // that the cache holds now
-constexpr auto bytes_sent = "cloudscape_sent_bytes_total";                   // HTTP and stream payload
+constexpr auto connections = "cloudscape_connections";                      // TCP connections now
+constexpr auto streams = "cloudscape_streams";                              // viewers now
+constexpr auto messages_in = "cloudscape_stream_messages_received_total";   // client messages
+constexpr auto message_errors = "cloudscape_stream_message_errors_total";   // answered by an error message
+constexpr auto frames_sent = "cloudscape_stream_frames_sent_total";         // handed to a socket
+constexpr auto frames_dropped = "cloudscape_stream_frames_replaced_total";  // by a newer one before the socket took it
+constexpr auto stills_sent = "cloudscape_stills_sent_total";                // rendered or from the cache
+constexpr auto still_cache_hits = "cloudscape_still_cache_hits_total";      // stills that were not rendered again
+constexpr auto still_cache_bytes = "cloudscape_still_cache_bytes";          // that the cache holds now
+constexpr auto bytes_sent = "cloudscape_sent_bytes_total";                  // HTTP and stream payload
 
 // Requests by route pattern and class of status ("2xx").
 inline std::string http_requests(std::string_view route, int status) {

@@ -12,7 +12,8 @@ namespace cloudscape::net {
 struct OutgoingFrame {
   std::uint32_t frame_id = 0;
   EncodedFrame frame;
-  std::size_t first = 0;  // where the message starts in frame.bytes: its header is written, room for the socket's before
+  std::size_t first =
+      0;  // where the message starts in frame.bytes: its header is written, room for the socket's before
   double render_ms = 0;
 };
 

@@ -64,8 +64,9 @@ std::optional<Response> refuse_malformed(const Request& request, std::uint64_t m
 std::optional<Response> refuse_stranger(const Request& request, const Site& site, bool open) {
   if (!site.authorization.accepts_host(request.host))
     return refusal(site, "host",
-                   problem(421, "Without a token this server answers to localhost only; add an origin to "
-                                "allowed_origins to reach it by another name."));
+                   problem(421,
+                           "Without a token this server answers to localhost only; add an origin to "
+                           "allowed_origins to reach it by another name."));
   if (request.method == Method::options) return std::nullopt;  // a preflight carries no token and changes nothing
   if (may_change_something(request.method) && !site.authorization.accepts_origin(request))
     return refusal(site, "origin", problem(403, "Pages of other sites may not do this; see allowed_origins."));

@@ -11,7 +11,9 @@ Response health() { return json_response(200, R"({"status":"ok"})").with("cache-
 
 Response readiness(const Site& site) {
   nlohmann::ordered_json body{{"ready", site.ready()},
-                              {"reason", site.draining ? "stopping" : site.renderer ? "" : "starting"},
+                              {"reason", site.draining   ? "stopping"
+                                         : site.renderer ? ""
+                                                         : "starting"},
                               {"version", version}};
   const RendererInfo info = site.renderer.value_or(RendererInfo{});
   body.update({{"renderer", info.renderer},
@@ -20,8 +22,8 @@ Response readiness(const Site& site) {
                {"software", info.software},
                {"pass_execution", info.pass_execution}});
   // The driver's names need not be UTF-8.
-  Response response = json_response(site.ready() ? 200 : 503,
-                                    body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  Response response =
+      json_response(site.ready() ? 200 : 503, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   if (!site.ready()) response.with("retry-after", "1");
   return response.with("cache-control", "no-store");
 }
@@ -32,10 +34,10 @@ void add_status_routes(Router& router, Site& site) {
   router.add({"/healthz", true, {{Method::get, [](auto&...) { return health(); }}}});
   router.add({"/readyz", true, {{Method::get, [&site](auto&...) { return readiness(site); }}}});
   router.add({"/metrics", false, {{Method::get, [&site](auto&...) {
-                return text_response(200, "text/plain; version=0.0.4; charset=utf-8",
-                                     site.parts.metrics.prometheus_text())
-                    .with("cache-control", "no-store");
-              }}}});
+                                     return text_response(200, "text/plain; version=0.0.4; charset=utf-8",
+                                                          site.parts.metrics.prometheus_text())
+                                         .with("cache-control", "no-store");
+                                   }}}});
 }
 
 }  // namespace cloudscape::net

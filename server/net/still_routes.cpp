@@ -8,10 +8,6 @@
 namespace cloudscape::net {
 namespace {
 
-settings::StillLimits still_limits(const settings::ServerSettings& settings) {
-  return {settings.max_still_side_px, settings.max_still_megapixels, settings.max_still_gigasteps};
-}
-
 // The same picture has the same ETag on every server with this program and this renderer.
 std::string etag_of(const settings::StillRequest& still, const Site& site) {
   return quoted_etag(still.canonical + '\n' + version + '\n' + site.renderer->renderer);
@@ -38,7 +34,7 @@ bool is_json(std::string_view content_type) {
 Answer get_still(const Request& request, Site& site) {
   if (auto refused = refuse_unready(site)) return *refused;
   if (auto refused = refuse_rate(request, site)) return *refused;
-  const auto limits = still_limits(site.parts.settings);
+  const auto limits = settings::still_limits(site.parts.settings);
   return order(request, site, settings::still_from_parameters(request.query, site.parts.library, limits));
 }
 
@@ -46,7 +42,7 @@ Answer post_still(const Request& request, Site& site) {
   if (!is_json(request.content_type)) return problem(415, "The body must be application/json.");
   if (auto refused = refuse_unready(site)) return *refused;
   if (auto refused = refuse_rate(request, site)) return *refused;
-  const auto limits = still_limits(site.parts.settings);
+  const auto limits = settings::still_limits(site.parts.settings);
   return order(request, site, settings::still_from_json(request.body, site.parts.library, limits));
 }
 

@@ -39,22 +39,29 @@ void StreamSession::on_message(std::string_view text, bool binary, Instant now) 
   if (closing()) return;
   site_.parts.metrics.count(metric::messages_in);
   if (!messages_.take(now))
-    return close_with(policy_violation, "Too many messages: at most " +
-                                            std::to_string(static_cast<int>(site_.parts.settings.messages_per_s)) +
-                                            " a second are read (messages_per_s).",
+    return close_with(policy_violation,
+                      "Too many messages: at most " +
+                          std::to_string(static_cast<int>(site_.parts.settings.messages_per_s)) +
+                          " a second are read (messages_per_s).",
                       "flood");
   if (binary) return close_with(policy_violation, "Messages to the server are JSON text, not binary.", "binary");
   try {
-    std::visit([&](const auto& message) { receive(message, now); }, wire::parse_client_message(text));
+    const auto& shown = viewed_.view;
+    const wire::ClientMessage parsed = wire::parse_client_message(text, {shown.pose, shown.lens, shown.display});
+    if (const auto* hello = std::get_if<wire::Hello>(&parsed)) return receive(*hello, text);
+    if (!stream_) throw Breach("/type", "must be \"hello\" in the first message");
+    if (const auto* camera = std::get_if<wire::Camera>(&parsed)) return receive(*camera);
+    if (const auto* settings = std::get_if<wire::Settings>(&parsed)) return receive(*settings);
+    receive(std::get<wire::Ack>(parsed), now);
   } catch (const Error& error) {
     answer_error(error, text);
   }
 }
 
-void StreamSession::receive(const wire::Hello& hello, Instant) {
+void StreamSession::receive(const wire::Hello& hello, std::string_view text) {
   if (stream_) throw Breach("", "A viewer says hello once.");
   if (hello.version != 1) throw Breach("/version", "must be 1");
-  viewed_ = viewed_by(hello, site_.parts.library, site_.parts.settings);
+  viewed_ = viewed_by(hello, text, site_.parts.library, site_.parts.settings);
   stream_ = site_.parts.scheduler.open(viewed_.view);
   greet();
 }
@@ -67,18 +74,12 @@ void StreamSession::greet() {
                      sun.elevation_deg, view.size_px, max_stream_size_px(site_.parts.settings)});
 }
 
-void StreamSession::require_hello() const {
-  if (!stream_) throw Breach("/type", "must be \"hello\" in the first message");
-}
-
-void StreamSession::receive(const wire::Settings& settings, Instant) {
-  require_hello();
+void StreamSession::receive(const wire::Settings& settings) {
   viewed_ = changed(viewed_, settings, site_.parts.library, site_.parts.settings);
   site_.parts.scheduler.update(*stream_, viewed_.view);
 }
 
-void StreamSession::receive(const wire::Camera& camera, Instant) {
-  require_hello();
+void StreamSession::receive(const wire::Camera& camera) {
   viewed_.view.pose = camera.pose;
   viewed_.view.pose_sequence = camera.pose_sequence;
   if (camera.time_s) viewed_.view.time_s = *camera.time_s;
@@ -86,7 +87,6 @@ void StreamSession::receive(const wire::Camera& camera, Instant) {
 }
 
 void StreamSession::receive(const wire::Ack& ack, Instant now) {
-  require_hello();
   statistics_.acknowledged(ack.frame_id, now);
   site_.parts.scheduler.acknowledge(*stream_, ack.frame_id, ack.decode_ms);
 }
@@ -126,8 +126,8 @@ void StreamSession::offer(const stream::Work& work, const FrameTimings& timings,
   const wire::FrameHeader header =
       wire::frame_header(Frame{work.request, 0, {}, {}, {}, timings}, work.frame_id, work.pose_sequence,
                          work.quality_stage, frame.encode_ms, image_bytes);
-  wire::write(header, std::span<std::uint8_t, wire::frame_header_bytes>(frame.bytes.data() + first,
-                                                                        wire::frame_header_bytes));
+  wire::write(header,
+              std::span<std::uint8_t, wire::frame_header_bytes>(frame.bytes.data() + first, wire::frame_header_bytes));
   if (outbox_.frame) {
     site_.parts.scheduler.dropped(work.request.stream, outbox_.frame->frame_id);
     site_.parts.metrics.count(metric::frames_dropped);

@@ -34,11 +34,10 @@ class StreamSession {
   Outbox& outbox() { return outbox_; }
 
  private:
-  void receive(const wire::Hello& hello, Instant now);
-  void receive(const wire::Settings& settings, Instant now);
-  void receive(const wire::Camera& camera, Instant now);
+  void receive(const wire::Hello& hello, std::string_view text);
+  void receive(const wire::Settings& settings);
+  void receive(const wire::Camera& camera);
   void receive(const wire::Ack& ack, Instant now);
-  void require_hello() const;
   void greet();
   void send(const wire::ServerMessage& message);
   void answer_error(const Error& error, std::string_view text);

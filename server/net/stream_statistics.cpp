@@ -36,8 +36,9 @@ std::optional<wire::Stats> StreamStatistics::take(Instant now) {
     return std::nullopt;
   }
   const double seconds = ms(now - since_) / 1e3;
-  const wire::Stats stats{frames_ / seconds,     bytes_ * 8 / seconds, round_trip_ms_,       render_ms_ / frames_,
-                          encode_ms_ / frames_, dropped_,             std::max(1, window_)};
+  const wire::Stats stats{frames_ / seconds,    bytes_ * 8 / seconds, round_trip_ms_,
+                          render_ms_ / frames_, encode_ms_ / frames_, dropped_,
+                          std::max(1, window_)};
   since_ = now;
   frames_ = window_ = 0;
   bytes_ = render_ms_ = encode_ms_ = 0;

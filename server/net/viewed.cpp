@@ -15,8 +15,7 @@ std::string number(double value) {
 void check_size(ImageSize size_px, const settings::ServerSettings& limits) {
   const int side = limits.max_stream_side_px;
   const double megapixels = double(size_px.width) * size_px.height / 1e6;
-  const std::string is =
-      "is [" + std::to_string(size_px.width) + ", " + std::to_string(size_px.height) + "]: ";
+  const std::string is = "is [" + std::to_string(size_px.width) + ", " + std::to_string(size_px.height) + "]: ";
   if (size_px.width < 1 || size_px.height < 1)
     throw InvalidInput("/size_px", is + "must be at least 1 pixel either way");
   if (size_px.width > side || size_px.height > side)
@@ -27,8 +26,8 @@ void check_size(ImageSize size_px, const settings::ServerSettings& limits) {
 
 void choose_document(Viewed& viewed, const wire::Settings& settings, const settings::CloudscapeLibrary& library) {
   if (settings.cloudscape_document) {
-    viewed.document = std::make_shared<const Cloudscape>(
-        settings::parse_cloudscape(*settings.cloudscape_document, "cloudscape"));
+    viewed.document =
+        std::make_shared<const Cloudscape>(settings::parse_cloudscape(*settings.cloudscape_document, "cloudscape"));
     viewed.name.clear();
   } else if (settings.cloudscape) {
     viewed.document = library.get(*settings.cloudscape);
@@ -73,7 +72,7 @@ ImageSize max_stream_size_px(const settings::ServerSettings& settings) {
   return {side, std::min(side, static_cast<int>(settings.max_stream_megapixels * 1e6 / side))};
 }
 
-Viewed viewed_by(const wire::Hello& hello, const settings::CloudscapeLibrary& library,
+Viewed viewed_by(const wire::Hello& hello, std::string_view text, const settings::CloudscapeLibrary& library,
                  const settings::ServerSettings& limits) {
   Viewed viewed;
   choose_document(viewed, hello.settings, library);
@@ -83,7 +82,10 @@ Viewed viewed_by(const wire::Hello& hello, const settings::CloudscapeLibrary& li
   viewed.view.pose = view.pose;
   viewed.view.lens = view.lens;
   viewed.view.display = view.display;
-  return changed(std::move(viewed), hello.settings, library, limits);
+  wire::Settings wanted = std::get<wire::Hello>(wire::parse_client_message(text, view)).settings;
+  wanted.cloudscape.reset();  // chosen already, and it may be long
+  wanted.cloudscape_document.reset();
+  return changed(std::move(viewed), wanted, library, limits);
 }
 
 Viewed changed(Viewed viewed, const wire::Settings& settings, const settings::CloudscapeLibrary& library,

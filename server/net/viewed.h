@@ -21,7 +21,8 @@ struct Viewed {
 // The widest picture that a stream may have.
 ImageSize max_stream_size_px(const settings::ServerSettings& settings);
 // What a hello asks for: it starts from the document's own view.
-Viewed viewed_by(const wire::Hello& hello, const settings::CloudscapeLibrary& library,
+// `text` is the hello's own, read again: what it gives in part is completed from that view.
+Viewed viewed_by(const wire::Hello& hello, std::string_view text, const settings::CloudscapeLibrary& library,
                  const settings::ServerSettings& limits);
 // `viewed` after a settings message. Throws InvalidInput, NotFound, OverLimit; then nothing has changed.
 Viewed changed(Viewed viewed, const wire::Settings& settings, const settings::CloudscapeLibrary& library,

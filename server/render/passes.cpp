@@ -18,13 +18,18 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const bake
                    int row_end) const {
   const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
-  const Binding textures[] = {{0, &baked.shape()},       {1, &baked.detail()},    {2, &baked.variation()},
-                              {3, &targets.scene_depth}, {8, &sky.transmittance}, {9, &sky.view},
-                              {10, &sky.light}};
+  const Binding tables[] = {{8, &sky.transmittance}, {9, &sky.view}, {10, &sky.light}};
+  const Binding textures[] = {{0, &baked.shape()},
+                              {1, &baked.detail()},
+                              {2, &baked.variation()},
+                              {3, &targets.scene_depth},
+                              tables[0],
+                              tables[1],
+                              tables[2]};
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);
-  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, textures);
+  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, tables);
   precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
 }
 

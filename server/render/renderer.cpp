@@ -164,6 +164,12 @@ void Renderer::abandon(std::unique_ptr<RenderJob> job) {
 
 void Renderer::forget(StreamId stream) { histories_.erase(stream); }
 
+std::vector<StreamId> Renderer::remembered() const {
+  std::vector<StreamId> streams;
+  for (const auto& [stream, history] : histories_) streams.push_back(stream);
+  return streams;
+}
+
 void Renderer::reload_shaders() {
   passes_.reload(shaders_);
   sky_.reload(shaders_);

@@ -48,6 +48,7 @@ class Renderer {
   Frame render(const FrameRequest& request);  // all of the above
   void abandon(std::unique_ptr<RenderJob> job);
   void forget(StreamId stream);  // frees what is kept to continue the stream's average
+  std::vector<StreamId> remembered() const;  // streams that something is kept for
   void reload_shaders();
   std::size_t history_bytes() const;
 

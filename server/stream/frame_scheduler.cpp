@@ -235,6 +235,16 @@ void FrameScheduler::failed(const Work& work) {
   });
 }
 
+bool FrameScheduler::is_open(StreamId stream) const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->stream(stream) != nullptr;
+}
+
+bool FrameScheduler::stopped() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->stopped;
+}
+
 void FrameScheduler::stop() {
   state_->change([](State& state, Time) { state.stopped = true; });
 }

@@ -100,6 +100,8 @@ class FrameScheduler {
   // The render, or later the encoder, failed; the stream goes on with its next view.
   void failed(const Work& work);
 
+  bool is_open(StreamId stream) const;  // a viewer's stream that was opened and not closed
+  bool stopped() const;
   void stop();  // `take` returns nullopt from now on, at once
 
  private:
