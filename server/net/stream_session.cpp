@@ -19,6 +19,17 @@ class Breach : public InvalidInput {
   using InvalidInput::InvalidInput;
 };
 
+// A number too large for a double (1e999) is JSON, and a bad value.
+bool is_json(std::string_view text) {
+  try {
+    return !nlohmann::json::parse(text, nullptr, true, true).is_discarded();
+  } catch (const nlohmann::json::out_of_range&) {
+    return true;
+  } catch (const nlohmann::json::parse_error&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 StreamSession::StreamSession(Site& site, std::function<void()> wake)
@@ -92,7 +103,7 @@ void StreamSession::receive(const wire::Ack& ack, Instant now) {
 }
 
 void StreamSession::answer_error(const Error& error, std::string_view text) {
-  const bool breach = dynamic_cast<const Breach*>(&error) || !nlohmann::json::accept(text, true);
+  const bool breach = dynamic_cast<const Breach*>(&error) || !is_json(text);
   const bool fatal = breach || ++errors_ > max_errors;
   const auto* invalid = dynamic_cast<const InvalidInput*>(&error);
   site_.parts.metrics.count(metric::message_errors);
