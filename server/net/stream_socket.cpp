@@ -29,16 +29,20 @@ StreamSocket::StreamSocket(Site& site, lws* wsi) : wsi_(wsi), session_(site, [ws
 }
 
 int StreamSocket::on_receive(std::string_view bytes) {
-  if (lws_is_first_fragment(wsi_)) message_.clear(), too_long_ = false;
+  if (lws_is_first_fragment(wsi_)) message_.clear();
   // libwebsockets has no limit: a frame that announces 2^40 bytes would be handed over piece by piece.
-  if (!too_long_ && message_.size() + bytes.size() > wire::max_client_message_bytes) {
-    too_long_ = true;
+  if (!session_.closing() && message_.size() + bytes.size() > wire::max_client_message_bytes) {
+    discarding_ = true;
     session_.on_oversize();
   }
-  if (too_long_ || session_.closing()) return 0;
+  const bool complete = lws_is_final_fragment(wsi_);
+  if (discarding_ && complete) {
+    discarding_ = false;
+    lws_callback_on_writable(wsi_);
+  }
+  if (session_.closing()) return 0;
   message_.append(bytes);
-  if (lws_is_final_fragment(wsi_))
-    session_.on_message(message_, lws_frame_is_binary(wsi_), std::chrono::steady_clock::now());
+  if (complete) session_.on_message(message_, lws_frame_is_binary(wsi_), std::chrono::steady_clock::now());
   return 0;
 }
 
@@ -49,11 +53,14 @@ int StreamSocket::on_writable() {
     result = write_frame_part();
   else if (!outbox.texts.empty())
     result = write_text();
-  else if (outbox.close)
+  else if (outbox.close && !discarding_)
     result = close_now();
   else if (outbox.frame)
     sending_ = std::exchange(outbox.frame, std::nullopt), sent_ = 0, result = write_frame_part();
-  if (result == 0 && (sending_ || !outbox.empty())) lws_callback_on_writable(wsi_);
+  // While a message is discarded the close waits for its end, or for the timer: closing with unread bytes would make
+  // the kernel send a reset, which can overtake the reason.
+  const bool more = sending_ || !outbox.texts.empty() || outbox.frame || (outbox.close && !discarding_);
+  if (result == 0 && more) lws_callback_on_writable(wsi_);
   return result;
 }
 

@@ -2,9 +2,9 @@
 import { connect } from 'node:net';
 
 // Sends `parts` (a number is a pause in ms) and collects what comes until the server closes or `timeout_ms` is over.
-export function exchange(port, parts, { timeout_ms = 3000, until = () => false } = {}) {
+export function exchange(port, parts, { timeout_ms = 3000, until = () => false, local } = {}) {
   return new Promise(resolve => {
-    const socket = connect({ port, host: '127.0.0.1' });
+    const socket = connect({ port, host: '127.0.0.1', localAddress: local });
     const started = Date.now();
     let received = Buffer.alloc(0), ended = false;
     const done = closed => {
