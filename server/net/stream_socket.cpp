@@ -47,6 +47,7 @@ int StreamSocket::on_receive(std::string_view bytes) {
 }
 
 int StreamSocket::on_writable() {
+  if (close_sent_) return 0;  // closing again would hang up before the viewer has answered
   Outbox& outbox = session_.outbox();
   int result = 0;
   if (sending_)
@@ -87,6 +88,7 @@ int StreamSocket::write_frame_part() {
 }
 
 int StreamSocket::close_now() {
+  close_sent_ = true;
   auto [code, reason] = *session_.outbox().close;
   reason.resize(std::min(reason.size(), max_close_reason_bytes));
   lws_close_reason(wsi_, static_cast<lws_close_status>(code), reinterpret_cast<unsigned char*>(reason.data()),
@@ -95,6 +97,7 @@ int StreamSocket::close_now() {
 }
 
 int StreamSocket::on_timer() {
+  if (close_sent_) return 0;
   if (session_.closing() && ++seconds_closing_ > close_within_s) return close_now();
   if (++seconds_ == hello_within_s) session_.on_hello_deadline();
   session_.on_second(std::chrono::steady_clock::now());

@@ -32,6 +32,7 @@ class StreamSocket {
   std::size_t sent_ = 0;  // of it
   int seconds_ = 0;
   int seconds_closing_ = 0;
+  bool close_sent_ = false;
 };
 
 }  // namespace cloudscape::net

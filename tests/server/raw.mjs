@@ -32,7 +32,7 @@ export function exchange(port, parts, { timeout_ms = 3000, until = () => false, 
 }
 
 // The status codes of the responses in `text`, in order.
-export const statuses = text => [...text.matchAll(/^HTTP\/1\.[01] (\d{3}) /gm)].map(match => Number(match[1]));
+export const statuses = text => [...text.matchAll(/HTTP\/1\.[01] (\d{3}) /g)].map(match => Number(match[1]));
 
 export const has_whole_answer = text => {
   const head = text.indexOf('\r\n\r\n');
