@@ -52,9 +52,11 @@ std::string describe(const Closing& closing, const std::string& authority) {
     const std::string code = closing.close_code == 0 ? "" : " with code " + std::to_string(closing.close_code);
     return "The connection to " + authority + " ended" + code + ".";
   }
-  const std::string status = closing.http_status == 0 ? "" : "status " + std::to_string(closing.http_status) + ", ";
-  return "No connection to " + authority + ": " + status +
-         (closing.reason.empty() ? "the server does not answer" : closing.reason) + ".";
+  const std::string reason = closing.http_status != 0
+                                 ? "it answered " + std::to_string(closing.http_status) + ", which may pass"
+                             : closing.reason.empty() ? "it does not answer"
+                                                      : closing.reason;
+  return "No connection to " + authority + ": " + reason + ".";
 }
 
 }  // namespace cloudscape::viewer

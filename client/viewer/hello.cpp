@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "settings/cloudscape_json.h"
 
 namespace cloudscape::viewer {
 
@@ -18,15 +19,15 @@ std::string read_file(const std::string& path) {
 }
 
 wire::Settings first_settings(const Options& options) {
-  wire::Settings settings;
-  settings.size_px = options.size_px;
-  settings.quality = options.quality;
+  wire::Settings first;
+  first.size_px = options.size_px;
+  first.quality = options.quality;
   const std::string& cloudscape = options.cloudscape;
   if (cloudscape.find('/') != std::string::npos || cloudscape.ends_with(".json"))
-    settings.cloudscape_document = read_file(cloudscape);
-  else if (!cloudscape.empty())
-    settings.cloudscape = cloudscape;
-  return settings;
+    first.cloudscape_document = settings::to_json(settings::parse_cloudscape(read_file(cloudscape), cloudscape));
+  else
+    first.cloudscape = cloudscape;
+  return first;
 }
 
 }  // namespace cloudscape::viewer

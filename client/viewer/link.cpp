@@ -112,9 +112,8 @@ struct Link::State {
 
   // One message a callback: libwebsockets allows no second write before the socket took the first.
   int send() {
-    if (stopping) return close(LWS_CLOSE_STATUS_NORMAL);
     const std::optional<std::string> text = events.next_text();
-    if (!text) return 0;
+    if (!text) return stopping ? close(LWS_CLOSE_STATUS_NORMAL) : 0;
     std::vector<unsigned char> buffer(LWS_PRE + text->size());
     std::memcpy(buffer.data() + LWS_PRE, text->data(), text->size());
     if (lws_write(wsi, buffer.data() + LWS_PRE, text->size(), LWS_WRITE_TEXT) < 0) return -1;

@@ -4,7 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <map>
+#include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "core/version.h"
@@ -26,11 +27,9 @@ constexpr const char* controls = R"(Controls:
   game controller             sticks fly and look, triggers down and up, shoulders speed
 Exit codes: 0 fine, 1 the server refuses or cannot be reached or a file cannot be written, 2 usage.)";
 
-std::map<std::string, Quality> quality_names() {
-  std::map<std::string, Quality> names;
-  for (std::size_t i = 0; i < EnumNames<Quality>::names.size(); ++i)
-    names.emplace(EnumNames<Quality>::names[i], static_cast<Quality>(i));
-  return names;
+Quality quality_named(const std::string& name) {
+  const auto& names = EnumNames<Quality>::names;
+  return static_cast<Quality>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 ImageSize parse_size(const std::string& text) {
@@ -43,18 +42,20 @@ ImageSize parse_size(const std::string& text) {
 }
 
 struct Texts {
-  std::string url, token, size = "1280x720";
+  std::string url, token, size = "1280x720", quality = "standard";
 };
 
 void add_view_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("url", texts.url, "Server: ws://HOST:PORT, wss://, or the http:// link it printed at its start")
       ->required();
-  app.add_option("--cloudscape", options.cloudscape, "Name of a cloudscape of the server, or a document's FILE.json");
+  app.add_option("--cloudscape", options.cloudscape, "Name of a cloudscape of the server, or a document's FILE.json")
+      ->capture_default_str();
   app.add_option("--token", texts.token, "Token that the server wants")->envname("CLOUDSCAPE_TOKEN");
   app.add_option("--size", texts.size, "Size of the picture, WIDTHxHEIGHT in pixels")->capture_default_str();
-  app.add_option("--quality", options.quality, "Quality that a resting view reaches")
-      ->transform(CLI::CheckedTransformer(quality_names()))
-      ->default_str("standard");
+  const std::vector<std::string> qualities(EnumNames<Quality>::names.begin(), EnumNames<Quality>::names.end());
+  app.add_option("--quality", texts.quality, "Quality that a resting view reaches")
+      ->check(CLI::IsMember(qualities))
+      ->capture_default_str();
   app.add_option("--log-level", options.log_level, "debug, info, warn or error")
       ->check(CLI::IsMember({"debug", "info", "warn", "error"}))
       ->capture_default_str();
@@ -90,6 +91,7 @@ Options parse_options(int argc, char** argv) {
     app.parse(argc, argv);
     options.endpoint = parse_endpoint(texts.url);
     options.size_px = parse_size(texts.size);
+    options.quality = quality_named(texts.quality);
   } catch (const CLI::ParseError& error) {
     throw Exit{app.exit(error) == 0 ? 0 : usage_error};
   } catch (const InvalidInput& error) {

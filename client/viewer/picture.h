@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "viewer/meters.h"
@@ -33,6 +34,8 @@ class JpegDecoder {
   Picture decode(ReceivedFrame frame);
 
  private:
+  void start();
+  [[noreturn]] void refuse(const wire::FrameHeader& header, const std::string& why);
   std::unique_ptr<void, int (*)(void*)> decompressor_;
 };
 

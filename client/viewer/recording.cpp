@@ -1,6 +1,7 @@
 // The loop of a flight without a window: poses go out, frames come in and are saved.
 #include "viewer/recording.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -19,6 +20,7 @@ using std::chrono::duration;
 using std::chrono::steady_clock;
 
 constexpr double connection_patience_s = 15.0;  // tuned: a restart of the server is survived, a dead one noticed
+constexpr double least_fov_change_deg = 1e-6;   // what a spline through equal keys errs by, and more
 constexpr double frame_patience_s = 120.0;      // as long as the server gives a still
 
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
@@ -88,10 +90,21 @@ class Recording {
   // The sky's time goes with the path's, so that each pose is a new view even where the path rests.
   void send_pose() {
     const double time_s = path_time_s();
+    const settings::CameraPath::Key key = settings::key_at(path_, path_.keys.front().time_s + time_s);
+    look_through(key.vertical_fov_deg);
     const Time now = steady_clock::now();
-    sent_ = client_.look(path_.pose_at(time_s), time_s);
+    sent_ = client_.look(key.pose, time_s);
     latency_.sent(sent_, now);
     record_.poses_sent = sent_;
+  }
+
+  void look_through(double vertical_fov_deg) {
+    if (lens_ && std::abs(lens_->vertical_fov_deg - vertical_fov_deg) < least_fov_change_deg) return;
+    lens_ = Lens{};
+    lens_->vertical_fov_deg = vertical_fov_deg;
+    wire::Settings settings;
+    settings.lens = lens_;
+    client_.change(settings);
   }
 
   void show(const Picture& picture) {
@@ -128,6 +141,7 @@ class Recording {
   StreamClient client_;
   LatencyMeter latency_;
   FlightRecord record_;
+  std::optional<Lens> lens_;  // that the server was told
   Time start_, last_news_;
   std::uint64_t sent_ = 0, shown_ = 0;  // pose sequences
 };

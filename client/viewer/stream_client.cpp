@@ -54,12 +54,10 @@ struct StreamClient::State : LinkEvents {
   void take_message(const wire::Stats& stats) { status.stats = stats; }
   // What a server says before its welcome answers the hello, which would be the same the next time.
   void take_message(const wire::ErrorMessage& error) {
-    const std::string where =
-        error.pointer.empty() || error.message.starts_with(error.pointer) ? "" : error.pointer + " ";
     if (error.fatal || !welcomed)
-      failure = "The server at " + authority + " refused: " + where + error.message;
+      failure = "The server at " + authority + " refused: " + error.message;
     else
-      status.notice = where + error.message;
+      status.notice = error.message;
   }
 
   void received_binary(std::vector<std::uint8_t> message) override {

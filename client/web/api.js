@@ -39,21 +39,25 @@ export function stream_url() {
 }
 
 // What an error of the HTTP side means to a person who wants to watch.
-export function explain(error) {
+export function explain(error, token) {
   if (!(error instanceof ApiError)) return { kind: 'away', message: 'The server does not answer.', retry: true };
   const { status, message, wait_s } = error;
-  if (status === 401) return { kind: 'token', message: 'This server asks for its access token.', retry: false };
+  const wanted = token ? 'The server did not accept this token.' : 'This server asks for its access token.';
+  if (status === 401) return { kind: 'token', message: wanted, retry: false };
   if (status === 403) return { kind: 'forbidden', message, retry: false };
   if (status === 429 || status >= 500) return { kind: 'busy', message, retry: true, wait_s };
   return { kind: 'protocol', message, retry: false };
 }
 
-// A browser hides the HTTP answer to a failed WebSocket handshake, so the same question is asked over HTTP.
+// A browser hides the HTTP answer to a failed WebSocket handshake, so the likely causes are asked for over HTTP.
 export async function diagnose(token) {
   try {
     await list_cloudscapes(token);
+    await api_fetch('readyz', token, { cache: 'no-store' });
   } catch (error) {
-    return explain(error);
+    return explain(error, token);
   }
-  return { kind: 'full', message: 'The server accepts no further viewer just now.', retry: true, wait_s: 2 };
+  const message = 'The server answers but opens no stream: it may have all the viewers that it takes (max_streams), ' +
+    'or not know this page’s address (allowed_origins).';
+  return { kind: 'full', message, retry: true, wait_s: 2 };
 }

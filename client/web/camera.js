@@ -5,6 +5,7 @@ const planet_radius_m = 6360e3;  // the server's ground sphere
 const clearance_m = 2;           // eye height of a person who stands
 const smoothing_s = 0.18;        // tuned: longer glides more, shorter answers sooner
 const boost = 5;                 // tuned: crosses a cloud field in seconds, still steerable
+const steepest_gain = 4;         // near the zenith a dragged point would turn the camera without end
 export const speed_limits_m_per_s = [1, 10000];
 
 // What all inputs together ask for: axes in -1..1 (turns in -1..1 of the turning rate).
@@ -72,6 +73,12 @@ export class FlightCamera {
     const azimuth = (this.pose.azimuth_deg + right_deg) % 360;
     this.pose.azimuth_deg = azimuth < 0 ? azimuth + 360 : azimuth;
     this.pose.elevation_deg = Math.max(-90, Math.min(90, this.pose.elevation_deg + up_deg));
+  }
+
+  // A drag holds the sky: the view turns against the hand, by the angle that it passed over.
+  drag(right_px, up_px, deg_per_px) {
+    const lean = Math.min(steepest_gain, 1 / Math.max(1e-3, Math.cos(this.pose.elevation_deg * degree)));
+    this.look(-right_px * deg_per_px * lean, -up_px * deg_per_px);
   }
 
   change_speed(factor) {

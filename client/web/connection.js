@@ -97,11 +97,7 @@ export class Connection {
     if (message.type === 'error' && (message.fatal || !this.#live)) this.#fatal = message;
     else this.on_message(message);
     if (message.type === 'welcome') this.on_state('live', {});
-    if (this.#fatal && !this.#live) this.#refuse(this.#kind(), this.#fatal.message);
-  }
-
-  #kind() {
-    return this.#fatal?.pointer?.startsWith('/cloudscape') ? 'cloudscape' : 'protocol';
+    if (this.#fatal && !this.#live) this.#refuse('protocol', this.#fatal.message);
   }
 
   #refuse(kind, message) {
@@ -114,7 +110,7 @@ export class Connection {
     const reason = this.#fatal?.message || event.reason;
     if (event.code === 1013) return this.#wait(reason || 'The server is full.');
     if (this.#fatal || protocol_errors.has(event.code)) {
-      return this.#refuse(this.#kind(), reason || `The server closed the stream (code ${event.code}).`);
+      return this.#refuse('protocol', reason || `The server closed the stream (code ${event.code}).`);
     }
     if (opened) return this.#wait(event.code === 1001 ? 'The server is restarting.' : 'The connection was lost.');
     const cause = await this.diagnose();

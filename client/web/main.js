@@ -1,5 +1,6 @@
 // Wires the page: inputs move the camera, the camera feeds the stream, the stream feeds the canvas and the figures.
 
+import { AnimationLoop } from './animation_loop.js';
 import { explain, list_cloudscapes } from './api.js';
 import { FlightCamera, sum_intents } from './camera.js';
 import { wait_ms } from './connection.js';
@@ -16,13 +17,12 @@ import { StillPanel } from './still_panel.js';
 import { Store } from './store.js';
 import { Stream } from './stream.js';
 import { budget_px, stream_size_px } from './stream_size.js';
-import { AddressBar, parse_fragment } from './url_state.js';
+import { AddressBar, is_token, parse_fragment } from './url_state.js';
 import { ViewState } from './view_state.js';
 
 const usual_cloudscape = 'fair-weather-cumulus';
 const resize_quiet_ms = 150;       // a dragged window edge asks for a size only when it rests
 const lock_deg_per_px = 0.1;       // tuned: a hand's width of mouse turns a half circle
-const steepest_gain = 4;           // near the zenith a dragged point would turn the camera without end
 const turn_rate_per_fov = 1.1;     // a key turns by about a picture's height in a second
 const software_guess = { software: true, max_size_px: [1280, 720] };  // until the welcome tells
 
@@ -50,13 +50,15 @@ const notices = new Notices({
   toast: $('toast'), notice: $('notice'),
   on_again: kind => (kind === 'cloudscape' ? open_cloudscape(default_cloudscape()) : start()),
   on_token: token => {
+    if (!is_token(token)) return notices.refused({ kind: 'token', message: 'A token has only letters, digits and - . _ ~' });
     store.token = token;
     start();
   },
 });
+const display = new Display({ sky: $('sky'), edge: $('edge') });
 const hud = new Hud({ root: $('hud'), measures });
 const stream = new Stream({
-  state, measures, size_px, display: new Display($('sky')), token: () => store.token,
+  state, measures, size_px, display, token: () => store.token,
   on_frame: header => {
     document.body.dataset.stage = stage_word(header.quality_stage);
     hud.frame(header);
@@ -70,9 +72,15 @@ const stream = new Stream({
       wake();
     }
     if (name === 'waiting') notices.waiting(detail.reason);
-    if (name === 'refused') notices.refused(detail, detail.kind === 'cloudscape' ? 'Show another sky' : undefined);
+    if (name === 'refused') refused(detail);
   },
 });
+
+function refused({ kind, message }) {
+  const known = cloudscapes.some(({ name }) => name === state.chosen.cloudscape);
+  if (kind === 'protocol' && !known) notices.refused({ kind: 'cloudscape', message }, 'Show another sky');
+  else notices.refused({ kind, message });
+}
 
 function welcome(message) {
   const asked = String(size_px());
@@ -81,6 +89,7 @@ function welcome(message) {
   if (!state.chosen.pose) {
     state.chosen.pose = message.pose;
     camera.place(message.pose);
+    display.aim(message.pose);
     address.write('replaceState');
   }
   panel.refresh();
@@ -98,10 +107,11 @@ const default_cloudscape = () => (cloudscapes.find(({ name }) => name === usual_
 let start_attempt = 0, start_timer = null;
 async function start() {
   clearTimeout(start_timer);
+  stream.close();
   try {
     cloudscapes = await list_cloudscapes(store.token);
   } catch (error) {
-    const cause = explain(error);
+    const cause = explain(error, store.token);
     if (!cause.retry) return notices.refused(cause);
     notices.waiting(cause.message);
     start_timer = setTimeout(start, Math.max(wait_ms(start_attempt++), (cause.wait_s ?? 0) * 1000));
@@ -117,6 +127,7 @@ async function start() {
 function open_cloudscape(name) {
   address.write('replaceState');
   state.open(name);
+  display.aim(null);
   address.write('pushState');
   panel.toggle_play(false);
   panel.refresh();
@@ -128,6 +139,7 @@ function follow_link() {
   if (token) store.token = token;
   state.chosen = { time_s: 0, ...chosen, cloudscape: chosen.cloudscape ?? state.chosen.cloudscape };
   if (chosen.pose) camera.place(chosen.pose);
+  display.aim(chosen.pose);
   if (token) address.write('replaceState');  // the token leaves the visible address at once
   panel.refresh();
 }
@@ -140,16 +152,7 @@ addEventListener('hashchange', () => {
 });
 
 // --- flight ---
-let frame_request = null, last_ms = 0;
-function wake() {
-  if (frame_request !== null) return;
-  last_ms = performance.now();
-  frame_request = requestAnimationFrame(tick);
-}
-
-function tick(now_ms) {
-  const dt_s = Math.max(0, Math.min(0.1, (now_ms - last_ms) / 1000));
-  last_ms = Math.max(last_ms, now_ms);
+const loop = new AnimationLoop(dt_s => {
   camera.turn_rate_deg_per_s = turn_rate_per_fov * state.get('vertical_fov_deg');
   const moves = camera.step(dt_s, sum_intents(inputs.map(input => input.intent(dt_s))));
   if (panel.playing) {
@@ -158,24 +161,22 @@ function tick(now_ms) {
   }
   if (moves || panel.playing) changed();
   if (pose_is_due && state.chosen.pose && stream.offer_pose()) pose_is_due = false;
-  const go_on = moves || panel.playing || (pose_is_due && stream.connection.is_live) || gamepad.connected;
-  frame_request = go_on ? requestAnimationFrame(tick) : null;
-}
+  return moves || panel.playing || (pose_is_due && stream.connection.is_live) || gamepad.connected;
+});
+const wake = () => loop.wake();
 
 function changed() {
   if (!state.chosen.pose) return;  // nothing to steer before the first welcome
   state.chosen.pose = { ...camera.pose, position_m: [...camera.pose.position_m] };
   pose_is_due = true;
+  display.aim(state.chosen.pose);
   document.body.dataset.stage = stage_word(0);
   address.touch();
 }
 
-// A drag holds the sky: the view turns against the finger, by the angle that it passed over.
 function look(right_px, up_px, locked) {
-  const deg_per_px = state.get('vertical_fov_deg') / innerHeight;
-  const lean = Math.min(steepest_gain, 1 / Math.max(1e-3, Math.cos(camera.pose.elevation_deg * Math.PI / 180)));
   if (locked) camera.look(right_px * lock_deg_per_px, up_px * lock_deg_per_px);
-  else camera.look(-right_px * deg_per_px * lean, -up_px * deg_per_px);
+  else camera.drag(right_px, up_px, state.get('vertical_fov_deg') / innerHeight);
   changed();
   wake();
 }

@@ -5,7 +5,8 @@ import { diagnose, stream_url } from './api.js';
 import { LatestFrame, make_decode } from './decoder.js';
 import { ack_message, camera_message, hello_message, read_frame } from './protocol.js';
 
-const camera_interval_ms = 8;        // fast displays must not exceed the server's rate of messages
+const camera_interval_ms = 10;       // fast displays must not exceed the server's rate of messages
+const settings_interval_ms = 30;     // nor may a slider
 const congested_bytes = 16 * 1024;   // a pose that would wait behind this many is held back: a newer one follows
 const patience_hidden_ms = 10000;    // a glance at another tab costs no reconnect
 
@@ -14,6 +15,7 @@ export class Stream {
   #camera_sent_ms = 0;
   #owed = [];
   #unsent = {};
+  #settings_timer = null;
   #hidden_timer = null;
 
   // `size_px()` is what to ask for now; `on_state`, `on_message` and `on_frame(header)` tell the page.
@@ -51,10 +53,17 @@ export class Stream {
     return true;
   }
 
-  // Between hello and welcome they wait; a later hello carries them anyway.
+  // Merged for a moment, and until there is a welcome; a later hello carries them anyway.
   settings(members) {
-    if (this.connection.is_live) this.connection.send({ type: 'settings', ...members });
-    else Object.assign(this.#unsent, members);
+    Object.assign(this.#unsent, members);
+    this.#settings_timer ??= setTimeout(() => this.#send_settings(), settings_interval_ms);
+  }
+
+  #send_settings() {
+    this.#settings_timer = null;
+    if (!this.connection.is_live || Object.keys(this.#unsent).length === 0) return;
+    this.connection.send({ type: 'settings', ...this.#unsent });
+    this.#unsent = {};
   }
 
   #hello() {
@@ -67,7 +76,7 @@ export class Stream {
   #message(message) {
     if (message.type === 'welcome') {
       this.state.welcome(message);
-      if (Object.keys(this.#unsent).length) this.settings(this.#unsent);
+      this.#send_settings();
     }
     this.on_message(message);
   }

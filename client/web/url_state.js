@@ -13,6 +13,11 @@ const limits = {
 export const tone_curves = ['agx', 'aces', 'reinhard', 'none'];
 export const qualities = ['draft', 'interactive', 'standard', 'high', 'reference'];
 
+// The characters that fit in a header and in a WebSocket subprotocol alike.
+export function is_token(text) {
+  return /^[A-Za-z0-9._~-]+$/.test(text ?? '');
+}
+
 function short(value, digits) {
   return String(Number(value.toFixed(digits)));
 }
@@ -63,7 +68,8 @@ export function parse_fragment(fragment) {
   for (const name of Object.keys(numbers)) if (!pose_names.includes(name)) keep(name, read_number(parameters, name));
   keep('tone_curve', tone_curves.find(name => name === parameters.get('tone_curve')));
   keep('quality', qualities.find(name => name === parameters.get('quality')));
-  return { chosen, token: parameters.get('token') || undefined };
+  const token = parameters.get('token');
+  return { chosen, token: is_token(token) ? token : undefined };
 }
 
 const interval_ms = 400;  // Safari refuses more than 100 history changes in 30 s

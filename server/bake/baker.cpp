@@ -1,6 +1,7 @@
 #include "bake/baker.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bake/permutation.h"
 
@@ -32,16 +33,20 @@ Texture tower_texture(const std::vector<Tower>& towers) {
   return table(texels, Format::rgba32f, static_cast<int>(texels.size() / 4), "towers");
 }
 
-ivec4 lattice_of(const NoiseChannel& channel) { return {channel.frequency, channel.octaves, channel.lacunarity, 0}; }
+// Whole cells up as well, so that the noise tiles in all three directions.
+ivec4 lattice_of(const NoiseChannel& channel, double height_over_width) {
+  const int up = std::clamp(static_cast<int>(std::lround(channel.frequency * height_over_width)), 1, 256);
+  return {channel.frequency, channel.octaves, channel.lacunarity, up};
+}
 vec4 blend_of(const NoiseChannel& channel) { return {channel.worley_mix, channel.gain, 0, 0}; }
 
 BakeBlock block_of(const BakeRecipe& recipe) {
   const auto& channels = recipe.noise.channels;
   BakeBlock block;
-  block.channel_0 = lattice_of(channels[0]), block.mix_0 = blend_of(channels[0]);
-  block.channel_1 = lattice_of(channels[1]), block.mix_1 = blend_of(channels[1]);
-  block.channel_2 = lattice_of(channels[2]), block.mix_2 = blend_of(channels[2]);
-  block.channel_3 = lattice_of(channels[3]), block.mix_3 = blend_of(channels[3]);
+  block.channel_0 = lattice_of(channels[0], recipe.height_over_width), block.mix_0 = blend_of(channels[0]);
+  block.channel_1 = lattice_of(channels[1], recipe.height_over_width), block.mix_1 = blend_of(channels[1]);
+  block.channel_2 = lattice_of(channels[2], recipe.height_over_width), block.mix_2 = blend_of(channels[2]);
+  block.channel_3 = lattice_of(channels[3], recipe.height_over_width), block.mix_3 = blend_of(channels[3]);
   block.profile = {recipe.height_rise, recipe.height_fall, recipe.towers.size(), 0};
   block.seed = {recipe.seed, 0, 0, 0};
   block.size = ivec4(recipe.resolution);

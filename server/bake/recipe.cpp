@@ -14,6 +14,7 @@ BakeRecipe bake_recipe(const Cloudscape& cloudscape) {
   }
   recipe.seed = cloudscape.seed;
   recipe.resolution = cloudscape.volume.resolution;
+  recipe.height_over_width = cloudscape.volume.size_m.z / cloudscape.volume.size_m.x;
   recipe.noise = cloudscape.noise;
   for (NoiseChannel& channel : recipe.noise.channels) channel.weight = 1;
   recipe.height_rise = cloudscape.shape.height_rise;

@@ -21,7 +21,7 @@ struct EnumNames<VolumeKind> {
 struct Volume {
   VolumeKind kind = VolumeKind::noise;
   glm::dvec3 origin_m{0.0, 0.0, 1000.0};
-  glm::dvec3 size_m{12000.0, 12000.0, 1800.0};
+  glm::dvec3 size_m{8000.0, 8000.0, 1600.0};
   int resolution = 128;
   bool tiling = true;
   bool operator==(const Volume&) const = default;
@@ -53,7 +53,7 @@ struct NoiseChannel {
   static void fields(auto& self, auto&& visit) {
     visit("worley_mix", self.worley_mix, Limits{0, 1}, "0: Perlin noise, 1: Worley noise, between: both mixed.");
     visit("frequency", self.frequency, Limits{1, 128, true},
-          "Lattice cells a tile of the first octave; a power of two.");
+          "Lattice cells along the tile's width in the first octave; a power of two. Upwards: as many as make them as high as wide.");
     visit("octaves", self.octaves, Limits{1, 8}, "Octaves of fractional Brownian motion.");
     visit("lacunarity", self.lacunarity, Limits{2, 8, true},
           "Frequency ratio of neighbouring octaves; a power of two.");
@@ -106,7 +106,7 @@ struct Shape {
   double height_fall = 4.0;
   double coverage = 0.45;
   std::optional<double> threshold;
-  double edge_softness = 0.12;
+  double edge_softness = 0.06;
   CoverageVariation coverage_variation;
   std::vector<Tower> towers;
   bool operator==(const Shape&) const = default;
@@ -129,8 +129,8 @@ struct Detail {
   int resolution = 32;
   int frequency = 4;
   int octaves = 3;
-  double period_m = 900.0;
-  double strength = 0.3;
+  double period_m = 600.0;
+  double strength = 0.08;
   bool operator==(const Detail&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -138,7 +138,7 @@ struct Detail {
     visit("frequency", self.frequency, Limits{1, 16, true}, "Worley cells a tile of the first octave; a power of two.");
     visit("octaves", self.octaves, Limits{1, 5}, "Octaves of fractional Brownian motion.");
     visit("period_m", self.period_m, Limits{10, 100000}, "Size of the detail tile, m.");
-    visit("strength", self.strength, Limits{0, 1}, "How deep it erodes the edges; 0: not at all.");
+    visit("strength", self.strength, Limits{0, 1}, "Shape noise that it takes off at most, at the edges; 0: none.");
   }
 };
 

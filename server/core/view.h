@@ -53,7 +53,7 @@ struct EnumNames<ToneCurve> {
 };
 
 struct Display {
-  double exposure_ev = 0.0;
+  double exposure_ev = 1.5;  // a sunlit cloud top, about 0.5 in solar units, comes out nearly white
   ToneCurve tone_curve = ToneCurve::agx;
   bool dither = true;
   bool operator==(const Display&) const = default;

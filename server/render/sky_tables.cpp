@@ -56,7 +56,7 @@ void SkyTables::compute(Set& set) const {
   const Texture* view[] = {&set.view};
   const Texture* light[] = {&set.light};
   transmittance_.run({0, 0, 64, 64}, transmittance, {});
-  view_.run({0, 0, 96, 96}, view, tables);
+  view_.run({0, 0, 96, 96}, view, std::span(tables).first(1));
   light_.run({0, 0, 6, 1}, light, tables);
 }
 

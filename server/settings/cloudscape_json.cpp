@@ -22,13 +22,11 @@ struct Root {
 };
 
 // Lattice cells narrower than a texel hold no shape, only aliasing.
-void check_octaves(const std::string& pointer, int frequency, int lacunarity, int octaves, int resolution,
-                   const std::string& resolution_key) {
-  const double finest = frequency * std::pow(lacunarity, octaves - 1);
-  if (finest <= resolution) return;
-  throw InvalidInput(pointer, "has " + number_text(finest) + " cells a tile in its last octave (frequency * " +
-                                  (lacunarity == 2 ? "2" : "lacunarity") + "^(octaves - 1)): must be at most " +
-                                  resolution_key + ", " + number_text(resolution));
+void check_octaves(const std::string& pointer, double finest_cells, const char* rule, int resolution,
+                   const char* resolution_key) {
+  if (finest_cells <= resolution) return;
+  throw InvalidInput(pointer, "has " + number_text(finest_cells) + " cells a tile in its last octave (" + rule +
+                                  "): must be at most " + resolution_key + ", " + number_text(resolution));
 }
 
 nlohmann::ordered_json document_schema() { return schema<Root>("urn:cloudscape:document:1", "Cloudscape document"); }
@@ -39,11 +37,13 @@ void check(const Cloudscape& cloudscape, const std::string& pointer) {
   if (cloudscape.volume.kind != VolumeKind::noise) return;
   for (std::size_t i = 0; i < cloudscape.noise.channels.size(); ++i) {
     const NoiseChannel& channel = cloudscape.noise.channels[i];
-    check_octaves(pointer + "/noise/channels/" + std::to_string(i), channel.frequency, channel.lacunarity,
-                  channel.octaves, cloudscape.volume.resolution, "volume.resolution");
+    check_octaves(pointer + "/noise/channels/" + std::to_string(i),
+                  channel.frequency * std::pow(channel.lacunarity, channel.octaves - 1),
+                  "frequency * lacunarity^(octaves - 1)", cloudscape.volume.resolution, "volume.resolution");
   }
   const Detail& fine = cloudscape.detail;
-  check_octaves(pointer + "/detail", fine.frequency, 2, fine.octaves, fine.resolution, "detail.resolution");
+  check_octaves(pointer + "/detail", fine.frequency * std::exp2(fine.octaves - 1), "frequency * 2^(octaves - 1)",
+                fine.resolution, "detail.resolution");
 }
 
 Cloudscape read_cloudscape(const nlohmann::json& json, const std::string& pointer) {

@@ -41,6 +41,12 @@ ordered_json choice_schema(std::span<const std::string_view> choices) {
   return {{"type", "string"}, {"enum", choices}};
 }
 
+ordered_json without_defaults(ordered_json items) {
+  if (items.contains("properties"))
+    for (auto& property : items["properties"]) property.erase("default");
+  return items;
+}
+
 ordered_json array_schema(ordered_json items, const Limits& sizes) {
   ordered_json schema{{"type", "array"}, {"items", std::move(items)}};
   set_bounds(schema, sizes, "minItems", "maxItems");
@@ -70,15 +76,28 @@ std::string array_text(const ordered_json& property) {
   return "array of " + std::string(exact ? "" : "at most ") + to_text(property["maxItems"]) + ": each " + items;
 }
 
+std::string default_of(const ordered_json& property) {
+  return property.contains("default") ? to_text(property["default"]) : "";
+}
+
+// Too long for a table's cell.
+bool is_long(const std::string& text) { return text.size() > 60; }
+
 // One line of a Markdown table.
 std::string row(const std::string& key, const ordered_json& property) {
-  const std::string fallback = property.contains("default") ? to_text(property["default"]) : "";
-  const bool long_default = fallback.size() > 60;
+  const std::string fallback = default_of(property);
   return "| `" + key + "` | " + value_text(property) + " | " +
-         (fallback.empty() ? ""
-          : long_default   ? "see below"
-                           : "`" + fallback + "`") +
+         (fallback.empty()    ? ""
+          : is_long(fallback) ? "see below"
+                              : "`" + fallback + "`") +
          " | " + property.value("description", "") + " |\n";
+}
+
+// A list, one element a line.
+std::string lines_of(const ordered_json& list) {
+  std::string text;
+  for (const auto& element : list) text += (text.empty() ? "[" : ",\n ") + to_text(element);
+  return text + "]\n";
 }
 
 // The object inside a property (itself, or an array's items), or nullptr.
@@ -110,6 +129,9 @@ std::string reference(const ordered_json& schema, const std::string& title) {
   if (schema.contains("description")) text += schema["description"].get<std::string>() + "\n\n";
   text += "| key | value | default | meaning |\n|---|---|---|---|\n";
   for (const auto& [key, property] : schema["properties"].items()) text += row(key, property);
+  for (const auto& [key, property] : schema["properties"].items())
+    if (is_long(default_of(property)))
+      text += "\nDefault of `" + key + "`:\n\n```json\n" + lines_of(property["default"]) + "```\n";
   for (const auto& [key, property] : schema["properties"].items())
     if (const ordered_json* object = object_in(property))
       text += "\n" + reference(*object, (schema.contains("$id") ? "" : title + ".") + key);

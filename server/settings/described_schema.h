@@ -11,6 +11,8 @@ namespace detail {
 nlohmann::ordered_json number_schema(bool whole, const Limits& limits);
 nlohmann::ordered_json string_schema(const Limits& lengths);
 nlohmann::ordered_json choice_schema(std::span<const std::string_view> choices);
+// Places of a fixed array have defaults of their own, which the array's default gives.
+nlohmann::ordered_json without_defaults(nlohmann::ordered_json items);
 nlohmann::ordered_json array_schema(nlohmann::ordered_json items, const Limits& sizes);
 
 // `sample` carries the defaults of what is inside.
@@ -35,7 +37,7 @@ nlohmann::ordered_json schema_of(const T& sample, const Limits& limits = {}) {
   } else if constexpr (Components<T>) {
     T copy = sample;
     const auto parts = components(copy);
-    return array_schema(schema_of(*parts[0], limits), {double(parts.size()), double(parts.size())});
+    return array_schema(without_defaults(schema_of(*parts[0], limits)), {double(parts.size()), double(parts.size())});
   } else if constexpr (is_vector<T>) {
     return array_schema(schema_of(typename T::value_type{}), limits);
   } else if constexpr (is_optional<T>) {

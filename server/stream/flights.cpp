@@ -45,7 +45,7 @@ std::optional<Flights::Acknowledged> Flights::measure(Iterator flight, double de
   const double total_ms = milliseconds(now - *flight->encoded);
   const double transit_ms = std::max(total_ms - plausible_ms(decode_ms), 0.0);
   if (!flight->measures) return Acknowledged{transit_ms, {}};
-  RoundTrip::Sample sample{transit_ms, flight->alone, {}};
+  RoundTrip::Sample sample{transit_ms, total_ms - transit_ms, flight->alone, {}};
   const auto& first = frames_.front();
   if (last_acknowledged_ && first.encoded && *first.encoded <= *last_acknowledged_)
     sample.interval_ms = milliseconds(now - *last_acknowledged_) / static_cast<double>(flight - frames_.begin() + 1);

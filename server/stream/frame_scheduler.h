@@ -6,8 +6,8 @@
 // Moving: a view that changed is answered with a coarse frame (stage 0) whose cost follows the measured render time and
 // whose JPEG quality follows the measured link. Such a frame is always finished, so that a viewer who never rests sees
 // something. Resting: once the view stood still, frames of full quality continue one average (`first_sample` samples
-// are in it, `quality.samples` are added) until the quality's sample count is reached; a change of the view abandons
-// the one in render.
+// are in it, `quality.samples` are added) until the quality's sample count is reached, each when the one before is
+// acknowledged; a change of the view abandons the one in render.
 //
 // Metrics, counters: cloudscape_frames_rendered_total{kind="stream"|"still"},
 // cloudscape_frames_dropped_total{reason="replaced"|"abandoned"|"failed"} (before the socket took it; in render, for

@@ -21,9 +21,12 @@ constexpr double sure_share = 1.0, bold_share = 0.5;
 
 // tuned: fractions of the target that a frame may queue; between them quality stays.
 constexpr double congested_share = 0.3, calm_share = 0.1;
+// tuned: of the target, between frames: above the one, fewer bytes are worth more frames a second; below the other, a
+// queue is no reason for coarser ones.
+constexpr double slow_interval_share = 0.7, fast_interval_share = 0.55;
 constexpr int lowest_quality = 55, highest_quality = 85;  // tuned: blocks begin to show; more bytes show nothing
 constexpr int quality_steps_down = 12;                    // tuned: at once, at most; a third of the bytes
-constexpr double bytes_per_quality = 0.02;                // share; measured on clouds between 55 and 85
+constexpr double bytes_per_quality = 0.02;                // share; libjpeg-turbo, 720p clouds: 30 KB at 50, 75 KB at 90
 constexpr int calm_acknowledgements = 5, held_acknowledgements = 3;  // tuned; those under way tell of the old quality
 
 }  // namespace
@@ -83,10 +86,11 @@ int MarchControl::finest_affordable(double marched_share) const {
 void JpegControl::acknowledged(double queued_ms, double interval_ms) {
   constexpr double gain = 1.0 / 3;  // tuned: one late acknowledgement alone does not count as a queue
   queued_ms_ += gain * (queued_ms - queued_ms_);
-  calm_ = queued_ms_ < calm_share * target_ms_ ? calm_ + 1 : 0;
+  const bool calm = queued_ms_ < calm_share * target_ms_ || interval_ms < fast_interval_share * target_ms_;
+  calm_ = calm ? calm_ + 1 : 0;
   if (hold_ > 0) {
     --hold_;
-  } else if (queued_ms_ > congested_share * target_ms_) {
+  } else if (queued_ms_ > congested_share * target_ms_ && interval_ms > slow_interval_share * target_ms_) {
     // Half of what would empty the queue by the next frame: the frames under way empty it too.
     const double excess = std::min(queued_ms_ / std::max(interval_ms, 1.0), 1.0) / 2;
     lower(static_cast<int>(excess / bytes_per_quality));

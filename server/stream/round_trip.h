@@ -8,7 +8,8 @@ namespace cloudscape::stream {
 class RoundTrip {
  public:
   struct Sample {
-    double transit_ms = 0;              // encoded until acknowledged, without decoding
+    double transit_ms = 0;  // encoded until acknowledged, without decoding
+    double decode_ms = 0;
     bool alone = false;                 // no other frame was under way when it was encoded: it cannot have queued
     std::optional<double> interval_ms;  // since the acknowledgement before, if the frame was under way by then
   };
@@ -21,8 +22,10 @@ class RoundTrip {
   int window(int max_in_flight) const;
 
  private:
-  std::optional<double> round_trip_ms_, render_ms_, encode_ms_, interval_ms_;
-  int since_alone_ = 0;  // acknowledgements that may hide a queue in their transit
+  bool probing() const;
+
+  std::optional<double> round_trip_ms_, render_ms_, encode_ms_, decode_ms_, interval_ms_;
+  int queued_frames_ = 0;  // since one went alone
 };
 
 }  // namespace cloudscape::stream

@@ -72,10 +72,10 @@ Time ViewerStream::rested_at() const { return std::max(moved_at_ + settle, rende
 
 std::optional<Time> ViewerStream::ready_at() const {
   if (work_) return yielded_ ? std::optional(work_->queued) : std::nullopt;
-  if (!flights_.has_room()) return {};
-  if (moved_) return moved_since_;
-  if (given_up_ || accumulated_ >= render_quality(view_.quality).samples) return {};
-  return rested_at();
+  if (moved_) return flights_.has_room() ? std::optional(moved_since_) : std::nullopt;
+  // One refined frame at a time: they are large, and the next motion waits behind what is in flight.
+  const bool refined = given_up_ || accumulated_ >= render_quality(view_.quality).samples;
+  return refined || flights_.size() > 0 ? std::nullopt : std::optional(rested_at());
 }
 
 Work ViewerStream::take(Time now) {
@@ -141,8 +141,9 @@ bool ViewerStream::wanted(const Work& work) const {
 }
 
 bool ViewerStream::yield(const Work& work) {
+  if (!in_render(work)) return false;
   yielded_ = wanted(work);
-  if (!yielded_ && in_render(work)) abandon();
+  if (!yielded_) abandon();
   return yielded_;
 }
 

@@ -10,7 +10,7 @@ layout(binding = 0, rgba8) uniform writeonly image3D target;
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, volume_pass.z_begin);
   vec3 position = (vec3(texel) + 0.5) / float(bake.detail.z);
-  float billows = worley_fbm(position, bake.detail.x, bake.detail.y, 2, 0.5, bake.seed.x * 16u + 9u);
-  float wisps = perlin_fbm(position, bake.detail.x, bake.detail.y, 2, 0.5);
+  float billows = worley_fbm(position, ivec3(bake.detail.x), bake.detail.y, 2, 0.5, bake.seed.x * 16u + 9u);
+  float wisps = perlin_fbm(position, ivec3(bake.detail.x), bake.detail.y, 2, 0.5);
   imageStore(target, texel, vec4(stretch(billows, 0.3, 0.95), stretch(wisps, 0.25, 0.75), 0.0, 1.0));
 }

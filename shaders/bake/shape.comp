@@ -12,8 +12,9 @@ layout(binding = 1) uniform sampler2D towers;  // two texels a tower: center eas
 float channel(vec3 position, ivec4 lattice, vec4 blend, uint salt) {
   float worley = 0.0;
   float perlin = 0.0;
-  if (blend.x > 0.0) worley = worley_fbm(position, lattice.x, lattice.y, lattice.z, blend.y, bake.seed.x * 16u + salt);
-  if (blend.x < 1.0) perlin = perlin_fbm(position, lattice.x, lattice.y, lattice.z, blend.y);
+  ivec3 cells = ivec3(lattice.x, lattice.x, lattice.w);
+  if (blend.x > 0.0) worley = worley_fbm(position, cells, lattice.y, lattice.z, blend.y, bake.seed.x * 16u + salt);
+  if (blend.x < 1.0) perlin = perlin_fbm(position, cells, lattice.y, lattice.z, blend.y);
   // tuned: the span that fBm of either kind really takes, spread over 0..1 so that eight bits and the height distribution
   // have contrast to work with.
   return mix(stretch(perlin, 0.25, 0.75), stretch(worley, 0.3, 0.95), blend.x);

@@ -8,7 +8,7 @@ layout(binding = 0, rgba16f) uniform writeonly image3D target;
 
 // Four lattice cells a period (core: wavelength_m is a quarter of the map's period), three octaves.
 float slow_noise(vec2 position, float slice) {
-  return stretch(perlin_fbm(vec3(position, slice), 4, 3, 2, 0.5), 0.3, 0.7);
+  return stretch(perlin_fbm(vec3(position, slice), ivec3(4), 3, 2, 0.5), 0.3, 0.7);
 }
 
 void main() {

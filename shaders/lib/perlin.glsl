@@ -18,12 +18,12 @@ int perlin_hash(ivec3 lattice) {
   return permutation((permutation((permutation(lattice.x & 255) + lattice.y) & 255) + lattice.z) & 255);
 }
 
-// Value in about [-1, 1] at `position` (lattice units, not negative); the lattice repeats after `period` points (at most 256).
-float perlin_noise(vec3 position, int period) {
+// Value in about [-1, 1] at `position` (lattice units, not negative); the lattice repeats after `period` points (at most 256 each).
+float perlin_noise(vec3 position, ivec3 period) {
   ivec3 cell = ivec3(floor(position));
   vec3 f = position - floor(position);
-  ivec3 a = ivec3(cell.x % period, cell.y % period, cell.z % period);
-  ivec3 b = ivec3((cell.x + 1) % period, (cell.y + 1) % period, (cell.z + 1) % period);
+  ivec3 a = ivec3(cell.x % period.x, cell.y % period.y, cell.z % period.z);
+  ivec3 b = ivec3((cell.x + 1) % period.x, (cell.y + 1) % period.y, (cell.z + 1) % period.z);
   float u = perlin_fade(f.x);
   float v = perlin_fade(f.y);
   float w = perlin_fade(f.z);
@@ -38,13 +38,14 @@ float perlin_noise(vec3 position, int period) {
   return mix(mix(mix(g000, g100, u), mix(g010, g110, u), v), mix(mix(g001, g101, u), mix(g011, g111, u), v), w);
 }
 
-// fBm in [0, 1], 1/2 on average: octaves of rising frequency and falling amplitude (Olajos 2.2.3). `position` in 0..1 over the tile.
-float perlin_fbm(vec3 position, int frequency, int octaves, int lacunarity, float gain) {
+// fBm in [0, 1], 1/2 on average: octaves of rising frequency and falling amplitude (Olajos 2.2.3). `position` in 0..1 over the
+// tile, `frequency` lattice cells along each side of it.
+float perlin_fbm(vec3 position, ivec3 frequency, int octaves, int lacunarity, float gain) {
   float sum = 0.0;
   float amplitude = 1.0;
   float total = 0.0;
   for (int octave = 0; octave < octaves; ++octave) {
-    sum += amplitude * perlin_noise(position * float(frequency), frequency);
+    sum += amplitude * perlin_noise(position * vec3(frequency), frequency);
     total += amplitude;
     amplitude *= gain;
     frequency *= lacunarity;

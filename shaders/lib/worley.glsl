@@ -10,14 +10,15 @@ vec3 worley_point(ivec3 cell, uint seed) {
 
 // 1 - d / sqrt(3), in [0, 1]: 1 at a feature point. The nearest point lies in the 3x3x3 neighbourhood. `position` in cells, not
 // negative; the cells repeat after `period`.
-float worley_noise(vec3 position, int period, uint seed) {
+float worley_noise(vec3 position, ivec3 period, uint seed) {
   ivec3 cell = ivec3(floor(position));
   vec3 f = position - floor(position);
   float nearest2 = 3.0;
   for (int z = -1; z <= 1; ++z) {
     for (int y = -1; y <= 1; ++y) {
       for (int x = -1; x <= 1; ++x) {
-        ivec3 wrapped = ivec3((cell.x + x + period) % period, (cell.y + y + period) % period, (cell.z + z + period) % period);
+        ivec3 wrapped = ivec3((cell.x + x + period.x) % period.x, (cell.y + y + period.y) % period.y,
+                              (cell.z + z + period.z) % period.z);
         vec3 offset = vec3(float(x), float(y), float(z)) + worley_point(wrapped, seed) - f;
         nearest2 = min(nearest2, dot(offset, offset));
       }
@@ -26,13 +27,13 @@ float worley_noise(vec3 position, int period, uint seed) {
   return 1.0 - sqrt(nearest2 / 3.0);
 }
 
-// fBm in [0, 1]. `position` in 0..1 over the tile; every octave has feature points of its own.
-float worley_fbm(vec3 position, int frequency, int octaves, int lacunarity, float gain, uint seed) {
+// fBm in [0, 1]. `position` in 0..1 over the tile, `frequency` cells along each side of it; every octave has feature points of its own.
+float worley_fbm(vec3 position, ivec3 frequency, int octaves, int lacunarity, float gain, uint seed) {
   float sum = 0.0;
   float amplitude = 1.0;
   float total = 0.0;
   for (int octave = 0; octave < octaves; ++octave) {
-    sum += amplitude * worley_noise(position * float(frequency), frequency, seed + uint(octave) * 101u);
+    sum += amplitude * worley_noise(position * vec3(frequency), frequency, seed + uint(octave) * 101u);
     total += amplitude;
     amplitude *= gain;
     frequency *= lacunarity;

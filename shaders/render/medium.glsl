@@ -17,13 +17,13 @@ int volume_kind() { return int(cloud.layer.w); }
 vec3 box_center() { return 0.5 * (cloud.box_low.xyz + cloud.box_high.xyz); }
 float sphere_radius_m() { return 0.5 * (cloud.box_high.x - cloud.box_low.x); }
 
-// How much of the billows is carved away on average, where the detail texture itself is not read (far away, towards the sun).
-const float mean_erosion = 0.45;  // tuned: the mean of `erosion_at`
+// How much of the erosion there is on average, where the detail texture itself is not read (far away, towards the sun).
+const float mean_erosion = 0.5;  // tuned: the mean of `erosion_at`
 
 float erosion_at(vec3 p, float h) {
   vec4 noise = texture(detail_texture, p * cloud.detail.x + cloud.detail.yzw);
-  // Billows at the tops, their inverse at the base: wisps (after Schneider and Vos 2015).
-  return mix(mix(noise.x, noise.y, 0.5), 1.0 - noise.x, clamp(h * 6.0, 0.0, 1.0));
+  // Cracks between billows at the tops, wisps at the base (after Schneider and Vos 2015).
+  return mix(noise.y, 1.0 - noise.x, clamp(h * 5.0, 0.0, 1.0));
 }
 
 // Density 0..1 of a noise volume. `detailed`: read the detail texture (costs one more sample).
@@ -39,11 +39,10 @@ float noise_density(vec3 p, bool detailed) {
     tile += cloud.shape.w * (slow.yz - 0.5);
   }
   vec4 noise = texture(shape_texture, vec3(tile, h));
-  float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5));
-  float density = clamp((value - threshold) * cloud.shape.y, 0.0, 1.0);
-  if (density <= 0.0 || cloud.erosion.x == 0.0) return density;
-  float erosion = cloud.erosion.x * (detailed ? erosion_at(p, h) : mean_erosion);
-  return clamp((density - erosion) / (1.0 - erosion), 0.0, 1.0);
+  float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5)) - threshold;
+  if (value <= 0.0) return 0.0;
+  value -= cloud.erosion.x * (detailed ? erosion_at(p, h) : mean_erosion);
+  return clamp(value * cloud.shape.y, 0.0, 1.0);
 }
 
 float density_at(vec3 p, bool detailed) {

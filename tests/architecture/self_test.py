@@ -34,6 +34,8 @@ class SelfTest(unittest.TestCase):
         self.assert_found(floors.check, "server/encode/a.cpp", '#include "../core/frame.h"\n', 1)
         self.assert_found(floors.check, "server/encode/a.cpp", '#include "codec/frame.h"\n', 1)
         self.assert_clean(floors.check, "server/render/a.cpp", '#include "bake/b.h"\n#include "render/c.h"\n#include "core/d.h"\n')
+        self.assert_found(floors.check, "server/app/a.cpp", '#include "viewer/sight.h"\n', 1)
+        self.assert_clean(floors.check, "client/viewer/a.cpp", '#include "viewer/b.h"\n#include "wire/messages.h"\n')
         self.assert_clean(floors.check, "server/wire/a.cpp", '#include "settings/described_json.h"\n')
 
     def test_a_new_folder_needs_a_floor(self):

@@ -38,11 +38,9 @@ class Source:
 
     @property
     def area(self):
-        """`gpu` for server/gpu/*, `client/viewer` for client/*, `tests` for the rest."""
+        """`gpu` for server/gpu/*, `viewer` for client/viewer/*, `tests` for the rest."""
         parts = self.path.parts
-        if parts[0] == "server":
-            return parts[1]
-        return "/".join(parts[:2]) if parts[0] == "client" else parts[0]
+        return parts[1] if parts[0] in ("server", "client") else parts[0]
 
     def at(self, line, why):
         return f"{self.path}:{line}: {why}"

@@ -59,7 +59,7 @@ function frame_message(stream, quality_stage) {
   return Buffer.concat([header, image]);
 }
 
-// Options may be changed while it runs: token, full (no stream), still_error, fatal (an error in place of the welcome).
+// Options may be changed while it runs: token, full or starting (no stream), frozen (no frames), still_error, fatal (an error in place of the welcome).
 export async function start_fake_server(options = {}) {
   const log = { hellos: [], cameras: [], settings: [], acks: [] };
   const allowed = given => !options.token || given === options.token;
@@ -70,9 +70,10 @@ export async function start_fake_server(options = {}) {
 
   async function answer(request, response) {
     const { pathname, searchParams } = new URL(request.url, 'http://localhost');
-    if (pathname.startsWith('/api/')) {
+    if (pathname.startsWith('/api/') || pathname === '/readyz') {
       if (!allowed(request.headers.authorization?.replace('Bearer ', ''))) return problem(response, 401, 'A token is needed.');
       if (pathname === '/api/v1/cloudscapes') return response.end(JSON.stringify({ cloudscapes: options.cloudscapes ?? cloudscapes }));
+      if (pathname === '/readyz') return options.starting ? problem(response, 503, 'The renderer is starting.') : response.end('{}');
       if (options.still_error) return problem(response, 422, options.still_error, '/width');
       log.still = searchParams;
       await new Promise(resolve => setTimeout(resolve, options.still_ms ?? 50));
@@ -89,7 +90,7 @@ export async function start_fake_server(options = {}) {
   function serve(socket) {
     let stream = null, in_flight = 0, stage = 0, timer = null;
     const pump = () => {
-      if (!stream || in_flight >= 2 || stage > 3) return;
+      if (!stream || options.frozen || in_flight >= 2 || stage > 3) return;
       in_flight++;
       socket.send(frame_message(stream, stage === 3 ? 255 : stage));
       stage++;
@@ -130,7 +131,7 @@ export async function start_fake_server(options = {}) {
   server.on('upgrade', (request, socket, head) => {
     const offered = (request.headers['sec-websocket-protocol'] ?? '').split(/,\s*/);
     const token = offered.find(name => name.startsWith('bearer.'))?.slice('bearer.'.length);
-    const status = !allowed(token) ? '401 Unauthorized' : options.full ? '503 Service Unavailable' : null;
+    const status = !allowed(token) ? '401 Unauthorized' : options.full || options.starting ? '503 Service Unavailable' : null;
     if (status) return socket.end(`HTTP/1.1 ${status}\r\nContent-Length: 0\r\nConnection: close\r\n\r\n`);
     sockets.handleUpgrade(request, socket, head, serve);
   });

@@ -23,7 +23,7 @@ const notice = (page, kind) => page.waitForSelector(`#notice[data-kind=${kind}]:
 const live = page => page.waitForFunction(() => document.body.dataset.stream === 'live');
 
 test('an unknown sky is named, and another one is offered', async t => {
-  const { server, page } = await open(t, { fatal: { message: 'There is no cloudscape "x".', pointer: '/cloudscape' } }, '#cloudscape=x');
+  const { server, page } = await open(t, { fatal: { message: 'There is no cloudscape "x".', pointer: '', fatal: false } }, '#cloudscape=x');
   await notice(page, 'cloudscape');
   assert.match(await page.locator('#notice').innerText(), /There is no cloudscape "x"/);
   delete server.options.fatal;
@@ -42,11 +42,42 @@ test('a protocol error is told and not tried again by itself', async t => {
 test('a full server is waited for', async t => {
   const { server, page } = await open(t, { full: true });
   await notice(page, 'waiting');
-  assert.match(await page.locator('#notice').innerText(), /no further viewer/);
+  assert.match(await page.locator('#notice').innerText(), /max_streams/);
   server.options.full = false;
   await page.locator('#again').click();
   await live(page);
   await page.waitForSelector('#notice', { state: 'hidden' });
+});
+
+test('a server that starts says so, and the page waits', async t => {
+  const { server, page } = await open(t, { starting: true });
+  await notice(page, 'waiting');
+  assert.match(await page.locator('#notice').innerText(), /renderer is starting/);
+  server.options.starting = false;
+  await live(page);
+});
+
+test('while the next picture is awaited the last one turns with the hand', async t => {
+  const { server, page } = await open(t, {});
+  await page.waitForFunction(() => document.body.dataset.stage === 'finished');
+  const transform = () => page.evaluate(() => document.getElementById('sky').style.transform);
+  assert.equal(await transform(), 'none');
+  server.options.frozen = true;
+  await page.mouse.move(200, 180);
+  await page.mouse.down();
+  await page.mouse.move(240, 180, { steps: 3 });
+  await page.mouse.up();
+  assert.match(await transform(), /^matrix3d/);
+  const point = await page.evaluate(() => {
+    const matrix = new DOMMatrix(document.getElementById('sky').style.transform);
+    const { x, y, w } = matrix.transformPoint(new DOMPoint(0, 0, 0, 1));
+    return [x / w, y / w];
+  });
+  // The sky is held: what was in the middle moved as far as the hand did, but for the tangent and the tilt.
+  assert.ok(Math.abs(point[0] - 40) < 6 && Math.abs(point[1]) < 3, String(point));
+  server.options.frozen = false;
+  await page.keyboard.press('ArrowLeft', { delay: 100 });
+  await page.waitForFunction(() => document.getElementById('sky').style.transform === 'none');
 });
 
 test('a refused still shows the server\'s sentence, and a running one can be stopped', async t => {

@@ -7,6 +7,7 @@ import { LatestFrame } from '../../client/web/decoder.js';
 import { Measures, stage_word } from '../../client/web/hud.js';
 import { stick_value } from '../../client/web/input_gamepad.js';
 import { frame_header_bytes, hello_message, read_frame, subprotocols } from '../../client/web/protocol.js';
+import { css_transform, homography } from '../../client/web/reproject.js';
 import { budget_px, stream_size_px } from '../../client/web/stream_size.js';
 import { format_fragment, parse_fragment } from '../../client/web/url_state.js';
 import { ViewState } from '../../client/web/view_state.js';
@@ -99,6 +100,23 @@ test('the camera stays above the round ground, looks no further than straight up
   close(altitude_m(camera.pose.position_m), 2, 0.1);
   camera.look(-30, 500);
   assert.deepEqual([camera.pose.azimuth_deg, camera.pose.elevation_deg], [330, 90]);
+});
+
+test('a turned picture is where its directions are now', () => {
+  const apply = (m, [x, y]) => {
+    const [u, v, w] = m.map(row => row[0] * x + row[1] * y + row[2]);
+    return [u / w, v / w];
+  };
+  // Ten degrees to the right: what was ahead is now ten degrees left. Ten degrees up: it is now below.
+  const right = apply(homography(level, { ...level, azimuth_deg: 10 }, 500), [0, 0]);
+  close(right[0], -500 * Math.tan(Math.PI / 18));
+  close(apply(homography(level, { ...level, elevation_deg: 10 }, 500), [0, 0])[1], 500 * Math.tan(Math.PI / 18));
+  // The camera rolls clockwise: the picture turns the other way.
+  apply(homography(level, { ...level, roll_deg: 90 }, 500), [0, -100]).forEach((value, i) => close(value, [-100, 0][i]));
+  const [one, other] = [{ ...level, azimuth_deg: 12, elevation_deg: 5, roll_deg: 3 }, { ...level, azimuth_deg: 350, elevation_deg: -20 }];
+  apply(homography(other, one, 400), apply(homography(one, other, 400), [33, -44])).forEach((value, i) => close(value, [33, -44][i], 1e-6));
+  assert.equal(css_transform(homography(one, one, 400)), 'none');
+  assert.equal(homography(level, { ...level, azimuth_deg: 90 }, 400), null);
 });
 
 test('a link carries the view there and back', () => {
@@ -199,8 +217,8 @@ test('a refusal is final and keeps the server\'s sentence', async () => {
   made.open();
   FakeSocket.all[1].readyState = 1;
   FakeSocket.all[1].onopen();
-  FakeSocket.all[1].onmessage({ data: '{"type":"error","message":"There is no x.","pointer":"/cloudscape","fatal":true}' });
-  assert.deepEqual(states.at(-1), { name: 'refused', kind: 'cloudscape', message: 'There is no x.' });
+  FakeSocket.all[1].onmessage({ data: '{"type":"error","message":"There is no x.","pointer":"","fatal":false}' });
+  assert.deepEqual(states.at(-1), { name: 'refused', kind: 'protocol', message: 'There is no x.' });
   assert.equal(FakeSocket.all.length, 2);
 });
 

@@ -57,6 +57,22 @@ TEST_F(LifecycleTest, work_that_is_reported_twice_counts_once) {
   EXPECT_EQ(metrics.value("cloudscape_frames_in_flight"), 1);
 }
 
+TEST_F(LifecycleTest, late_word_of_an_old_frame_leaves_the_one_in_render_alone) {
+  const auto stream = scheduler.open(looking(0));
+  const auto old = take();
+  send(*old);
+  scheduler.update(stream, looking(1));
+  const auto work = take();
+  EXPECT_FALSE(scheduler.yield(*old));
+  scheduler.rendered(*old, {});
+  EXPECT_FALSE(take());
+  EXPECT_TRUE(scheduler.yield(*work));
+  EXPECT_FALSE(scheduler.yield(*old));
+  EXPECT_EQ(take()->frame_id, work->frame_id);
+  scheduler.failed(*old);
+  EXPECT_TRUE(scheduler.wanted(*work));
+}
+
 TEST_F(LifecycleTest, stats_tell_the_last_two_seconds) {
   const auto stream = scheduler.open(looking(0));
   for (int i = 0; i < 100; ++i) {
@@ -124,6 +140,7 @@ TEST_F(WaitingTest, take_wakes_for_a_new_stream_and_for_rest) {
   ASSERT_TRUE(moving);
   real.rendered(*moving, {});
   real.encoded(*moving, 1, 1);
+  real.acknowledge(moving->request.stream, moving->frame_id, 0);
   const auto refining = real.take(Time::max());
   ASSERT_TRUE(refining);
   EXPECT_EQ(refining->quality_stage, 1);

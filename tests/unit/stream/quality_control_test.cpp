@@ -105,6 +105,16 @@ TEST(JpegControlTest, queue_lowers_it_within_ten_acknowledgements_to_its_bound) 
   EXPECT_EQ(control.quality(), 55);
 }
 
+TEST(JpegControlTest, frames_under_way_do_not_lower_it_a_second_time) {
+  JpegControl control(target_ms);
+  while (control.quality() == 78) control.acknowledged(100, 100);
+  const int lowered = control.quality();
+  for (int i = 0; i < 3; ++i) control.acknowledged(100, 100);
+  EXPECT_EQ(control.quality(), lowered);
+  control.acknowledged(100, 100);
+  EXPECT_LT(control.quality(), lowered);
+}
+
 TEST(JpegControlTest, one_late_acknowledgement_and_a_middling_queue_change_nothing) {
   JpegControl control(target_ms);
   control.acknowledged(40, 50);

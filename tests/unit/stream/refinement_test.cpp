@@ -58,6 +58,19 @@ TEST_F(RefinementTest, rest_begins_150_ms_after_the_last_change) {
   EXPECT_EQ(work->request.quality.max_steps, render_quality(Quality::standard).max_steps);
 }
 
+TEST_F(RefinementTest, next_motion_waits_behind_one_refined_frame_at_most) {
+  const auto stream = scheduler.open(looking(0));
+  const auto moving = take();
+  send(*moving);
+  pass(200);
+  EXPECT_FALSE(take());
+  scheduler.acknowledge(stream, moving->frame_id, 0);
+  send(*take());
+  EXPECT_FALSE(take());
+  scheduler.update(stream, looking(1));
+  EXPECT_TRUE(take());
+}
+
 class EveryQuality : public RefinementTest, public testing::WithParamInterface<Quality> {};
 
 TEST_P(EveryQuality, steps_add_up_and_only_the_last_is_final) {

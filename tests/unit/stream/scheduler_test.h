@@ -40,6 +40,24 @@ class SchedulerTest : public testing::Test {
     send(work, render_ms);
     scheduler.acknowledge(work.request.stream, work.frame_id, 0);
   }
+  // Moves on a long way until three frames may be in flight; leaves a changed view.
+  void widen(StreamId stream) {
+    for (int i = 0; i < 10; ++i) {
+      std::vector<Work> works;
+      for (int frame = 0; frame < 2; ++frame) {
+        scheduler.update(stream, looking(1000 + 2 * i + frame));
+        works.push_back(*take());
+        send(works.back(), 10);
+      }
+      pass(200);
+      for (const Work& work : works) {
+        scheduler.acknowledge(stream, work.frame_id, 0);
+        pass(10);
+      }
+    }
+    ASSERT_EQ(scheduler.stats(stream).window, 3);
+    scheduler.update(stream, looking(2000));
+  }
   double dropped(const std::string& reason) const {
     return metrics.value("cloudscape_frames_dropped_total{reason=\"" + reason + "\"}");
   }
