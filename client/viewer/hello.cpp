@@ -25,7 +25,7 @@ wire::Settings first_settings(const Options& options) {
   const std::string& cloudscape = options.cloudscape;
   if (cloudscape.find('/') != std::string::npos || cloudscape.ends_with(".json"))
     first.cloudscape_document = settings::to_json(settings::parse_cloudscape(read_file(cloudscape), cloudscape));
-  else if (!cloudscape.empty())
+  else
     first.cloudscape = cloudscape;
   return first;
 }

@@ -48,7 +48,8 @@ struct Texts {
 void add_view_options(CLI::App& app, Options& options, Texts& texts) {
   app.add_option("url", texts.url, "Server: ws://HOST:PORT, wss://, or the http:// link it printed at its start")
       ->required();
-  app.add_option("--cloudscape", options.cloudscape, "Name of a cloudscape of the server, or a document's FILE.json");
+  app.add_option("--cloudscape", options.cloudscape, "Name of a cloudscape of the server, or a document's FILE.json")
+      ->capture_default_str();
   app.add_option("--token", texts.token, "Token that the server wants")->envname("CLOUDSCAPE_TOKEN");
   app.add_option("--size", texts.size, "Size of the picture, WIDTHxHEIGHT in pixels")->capture_default_str();
   const std::vector<std::string> qualities(EnumNames<Quality>::names.begin(), EnumNames<Quality>::names.end());

@@ -9,7 +9,7 @@ namespace cloudscape::viewer {
 
 struct Options {
   Endpoint endpoint;
-  std::string cloudscape;  // a name that the server knows, or a file; "": the server's first
+  std::string cloudscape = "fair-weather-cumulus";  // a name that the server knows, or a file
   ImageSize size_px{1280, 720};
   Quality quality = Quality::standard;
   std::string log_level = "warn";

@@ -38,6 +38,7 @@ Answer answer(const Site& site, const Router& router, const Request& request) {
 Response finished(const Site& site, const Router& router, const Request& request, Response response) {
   const Route* route = router.find(request.path);
   site.parts.metrics.count(metric::http_requests(route ? route->pattern : "none", response.status));
+  response.with("date", http_date(std::time(nullptr)));
   if (!site.authorization.lists_origin(request.origin)) return response;
   response.with("access-control-allow-origin", request.origin).with("vary", "origin");
   response.with("access-control-expose-headers", "etag, retry-after");

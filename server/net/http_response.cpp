@@ -93,6 +93,14 @@ std::string head_text(const Response& response) {
   return text.append(security_headers).append("\r\n");
 }
 
+std::string http_date(std::time_t time) {
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[40] = "";
+  std::strftime(text, sizeof text, "%a, %d %b %Y %H:%M:%S GMT", &utc);
+  return text;
+}
+
 bool none_match_holds(std::string_view if_none_match, std::string_view etag) {
   return std::ranges::any_of(split_list(if_none_match), [&](std::string_view member) {
     if (member.starts_with("W/")) member.remove_prefix(2);

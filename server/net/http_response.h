@@ -1,6 +1,7 @@
 // One HTTP response as plain values, and its head as text. Every answer of the server goes through here, so that the
 // security headers are on all of them.
 #pragma once
+#include <ctime>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -37,6 +38,9 @@ Response empty_response(int status);  // 204 and 304
 std::string_view reason_phrase(int status);
 // Status line and headers, the blank line included. An answer to HEAD has the same ones as to GET.
 std::string head_text(const Response& response);
+
+// "Sun, 06 Nov 1994 08:49:37 GMT" (RFC 9110, 5.6.7).
+std::string http_date(std::time_t time);
 
 // Whether an If-None-Match value names `etag` (weak comparison, RFC 9110 13.1.2).
 bool none_match_holds(std::string_view if_none_match, std::string_view etag);

@@ -6,7 +6,7 @@
 namespace cloudscape::net::metric {
 
 constexpr auto connections = "cloudscape_connections";                      // TCP connections now
-constexpr auto streams = "cloudscape_streams";                              // viewers now
+constexpr auto sessions = "cloudscape_sessions";                            // WebSockets now
 constexpr auto messages_in = "cloudscape_stream_messages_received_total";   // client messages
 constexpr auto message_errors = "cloudscape_stream_message_errors_total";   // answered by an error message
 constexpr auto frames_sent = "cloudscape_stream_frames_sent_total";         // handed to a socket

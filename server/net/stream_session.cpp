@@ -37,13 +37,13 @@ StreamSession::StreamSession(Site& site, std::function<void()> wake)
       wake_(std::move(wake)),
       messages_(site.parts.settings.messages_per_s, 2 * site.parts.settings.messages_per_s) {
   site_.sessions.insert(this);
-  site_.parts.metrics.set(metric::streams, static_cast<double>(site_.sessions.size()));
+  site_.parts.metrics.set(metric::sessions, static_cast<double>(site_.sessions.size()));
 }
 
 StreamSession::~StreamSession() {
   if (stream_) site_.parts.scheduler.close(*stream_);
   site_.sessions.erase(this);
-  site_.parts.metrics.set(metric::streams, static_cast<double>(site_.sessions.size()));
+  site_.parts.metrics.set(metric::sessions, static_cast<double>(site_.sessions.size()));
 }
 
 void StreamSession::on_message(std::string_view text, bool binary, Instant now) {

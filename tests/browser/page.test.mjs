@@ -8,7 +8,8 @@ const changed = 2;   // tuned: a turn of some degrees changes a picture by 5 to 
 const view = '#quality=draft&position=0,0,1200&azimuth_deg=40&elevation_deg=4';
 let browser, server;
 before(async () => {
-  [browser, server] = await Promise.all([start_browser(), start_subject()]);
+  browser = await start_browser();
+  server = await start_subject();
 });
 after(async () => {
   await browser?.close();

@@ -72,6 +72,10 @@ TEST(Response, a_line_break_in_a_value_makes_no_second_header) {
   EXPECT_EQ(head.find("\r\nset-cookie"), std::string::npos);
 }
 
+TEST(Response, dates_are_those_of_http) {
+  EXPECT_EQ(http_date(784111777), "Sun, 06 Nov 1994 08:49:37 GMT");  // the example of RFC 9110
+}
+
 TEST(Etag, matches_lists_stars_and_weak_forms) {
   const std::string etag = quoted_etag("bytes");
   EXPECT_EQ(etag.size(), 34U);

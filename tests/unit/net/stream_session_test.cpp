@@ -253,9 +253,9 @@ TEST_F(Viewer, sees_a_document_that_is_put_anew) {
 
 TEST_F(Viewer, closes_its_stream_when_it_goes) {
   greet();
-  EXPECT_EQ(metrics_.value("cloudscape_streams"), 1);
+  EXPECT_EQ(metrics_.value("cloudscape_sessions"), 1);
   session_.reset();
-  EXPECT_EQ(metrics_.value("cloudscape_streams"), 0);
+  EXPECT_EQ(metrics_.value("cloudscape_sessions"), 0);
   EXPECT_FALSE(scheduler_->take({}));
 }
 
