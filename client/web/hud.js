@@ -83,7 +83,7 @@ export class Hud {
   refresh() {
     const { rests, frames_per_second, bits_per_second, latency_ms } = this.measures.figures(performance.now());
     const header = this.#header;
-    this.fields.fps.textContent = rests ? 'at rest' : `${Math.round(frames_per_second)} fps`;
+    this.fields.fps.textContent = rests || !frames_per_second ? 'at rest' : `${frames_per_second.toFixed(frames_per_second < 9.5 ? 1 : 0)} fps`;
     this.fields.latency.textContent = latency_ms === null ? '' : `${Math.round(latency_ms)} ms`;
     this.fields.bitrate.textContent = rests ? '' : bitrate_text(bits_per_second);
     this.fields.size.textContent = header ? `${header.width_px} × ${header.height_px}` : '';
