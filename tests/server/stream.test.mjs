@@ -166,9 +166,11 @@ test('no more streams than max_streams', async () => {
 });
 
 test('a viewer that reads nothing does not slow another', async () => {
-  const measure = async seconds => with_viewer(async viewer => {
+  const rendered = () => server.metric('cloudscape_frames_rendered_total{kind="stream"}');
+  const measure = seconds => with_viewer(async viewer => {
     viewer.hello({ cloudscape, size_px: [320, 180] });
     await viewer.frame();
+    const before = await rendered();
     viewer.frames_received = 0;
     const ages = [];
     viewer.on_frame = frame => ages.push(Date.now() - viewer.sent_at.get(frame.pose_sequence));
@@ -176,18 +178,22 @@ test('a viewer that reads nothing does not slow another', async () => {
     await sleep(seconds * 1000);
     clearInterval(turning);
     ages.sort((a, b) => a - b);
-    return { frames: viewer.frames_received, age_ms: ages[Math.floor(ages.length / 2)] };
+    return { frames: viewer.frames_received, for_others: await rendered() - before - viewer.frames_received,
+      age_ms: ages[Math.floor(ages.length / 2)] };
   });
-  const alone = await measure(3);
+  const alone = await measure(2);
   const slow = await Viewer.open(server);
-  slow.hello({ cloudscape, size_px: [1280, 720] });
+  slow.hello({ cloudscape, size_px: [640, 360] });
   await slow.message('welcome');
   slow.socket.pause();
   const turning = setInterval(() => slow.camera(++slow.sequence, { azimuth_deg: slow.sequence % 360 }), 20);
-  await sleep(1500);  // it fills its window and its socket
-  const beside = await measure(3);
+  let last = -1;  // until it fills its window: then nothing is rendered for it any more
+  await until(async () => { const now = await rendered(), full = now === last; last = now; await sleep(500); return full; }, 'the window fills', 30000);
+  const beside = await measure(2);
   clearInterval(turning);
   slow.socket.terminate();
-  assert.ok(beside.frames > 0.6 * alone.frames, `${beside.frames} frames beside, ${alone.frames} alone`);
-  assert.ok(beside.age_ms < 2 * alone.age_ms + 50, `${beside.age_ms} ms beside, ${alone.age_ms} ms alone`);
+  assert.ok(beside.for_others <= 4, `${beside.for_others} frames were rendered for one who does not read`);
+  // Not sharper, because other work on the machine changes the time of a frame too.
+  assert.ok(beside.frames > 0.4 * alone.frames, `${beside.frames} frames beside, ${alone.frames} alone`);
+  assert.ok(beside.age_ms < 2.5 * alone.age_ms + 50, `${beside.age_ms} ms beside, ${alone.age_ms} ms alone`);
 });

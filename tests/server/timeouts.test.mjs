@@ -173,5 +173,5 @@ test('what cannot be listened on or read is one sentence', async () => {
     assert.match(await failure({ 'token-file': token_file }), /16 to 96/);
   });
   assert.match(await failure({ 'token-file': '/nonexistent' }), /cannot be read/);
-  assert.match(await failure({ listen: '127.0.0.1' }), /port from 0 to 65535/);
+  assert.match(await failure({ listen: '127.0.0.1' }), /must be HOST:PORT/);
 });
