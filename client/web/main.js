@@ -51,13 +51,15 @@ const notices = new Notices({
   toast: $('toast'), notice: $('notice'),
   on_again: kind => (kind === 'cloudscape' ? open_cloudscape(default_cloudscape()) : start()),
   on_token: token => {
-    if (!is_token(token)) return notices.refused({ kind: 'token', message: 'A token has only letters, digits and - . _ ~' });
+    const message = 'A token has only letters, digits and - . _ ~';
+    if (!is_token(token)) return notices.refused({ kind: 'token', message });
     store.token = token;
     start();
   },
 });
 const display = new Display({ sky: $('sky'), edge: $('edge') });
 const hud = new Hud({ root: $('hud'), measures });
+const receivers = { welcome, stats: values => hud.stats(values), error: ({ message }) => notices.toast(message, 6000) };
 const stream = new Stream({
   state, measures, size_px, display, token: () => store.token,
   on_frame: header => {
@@ -65,7 +67,7 @@ const stream = new Stream({
     document.body.dataset.stage = stage_word(header.quality_stage);
     hud.frame(header);
   },
-  on_message: message => ({ welcome, stats: values => hud.stats(values), error: error => notices.toast(error.message, 6000) })[message.type]?.(message),
+  on_message: message => receivers[message.type]?.(message),
   on_state: (name, detail) => {
     document.body.dataset.stream = name;
     if (name === 'connecting') document.body.dataset.stage = stage_word(0);
