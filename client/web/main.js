@@ -38,7 +38,6 @@ let pose_is_due = false;
 
 if (matchMedia('(prefers-reduced-motion: reduce)').matches) camera.smoothing_s = 0;
 
-// --- size ---
 const window_size_px = () => [innerWidth, innerHeight].map(side => Math.round(side * devicePixelRatio));
 const size_px = () => stream_size_px({
   width_css: innerWidth, height_css: innerHeight, device_pixel_ratio: devicePixelRatio,

@@ -7,8 +7,8 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const widest_turn_cosine = Math.cos(Math.PI / 4);  // beyond it hardly anything of the picture is left to see
 const unmoved = 1e-7, unmoved_px = 1e-4;
 
-// Where a point of a perspective picture taken from `from` lies in one taken from `to`: a 3x3 matrix, by rows, on
-// points (x right, y down, 1) from the middle, `focal_px` being the distance of the image plane. Null: they share too little.
+// Where a point of a perspective picture taken from `from` lies in one taken from `to`: a 3x3 matrix, by rows,
+// on points (x right, y down, 1) from the middle, `focal_px` being the distance of the image plane. Null: they share too little.
 export function homography(from, to, focal_px) {
   const [a, b] = [view_axes(from), view_axes(to)];
   if (dot(a.forward, b.forward) < widest_turn_cosine) return null;
