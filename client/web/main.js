@@ -38,7 +38,6 @@ let pose_is_due = false;
 
 if (matchMedia('(prefers-reduced-motion: reduce)').matches) camera.smoothing_s = 0;
 
-// --- size ---
 const window_size_px = () => [innerWidth, innerHeight].map(side => Math.round(side * devicePixelRatio));
 const size_px = () => stream_size_px({
   width_css: innerWidth, height_css: innerHeight, device_pixel_ratio: devicePixelRatio,
@@ -51,13 +50,15 @@ const notices = new Notices({
   toast: $('toast'), notice: $('notice'),
   on_again: kind => (kind === 'cloudscape' ? open_cloudscape(default_cloudscape()) : start()),
   on_token: token => {
-    if (!is_token(token)) return notices.refused({ kind: 'token', message: 'A token has only letters, digits and - . _ ~' });
+    const message = 'A token has only letters, digits and - . _ ~';
+    if (!is_token(token)) return notices.refused({ kind: 'token', message });
     store.token = token;
     start();
   },
 });
 const display = new Display({ sky: $('sky'), edge: $('edge') });
 const hud = new Hud({ root: $('hud'), measures });
+const receivers = { welcome, stats: values => hud.stats(values), error: ({ message }) => notices.toast(message, 6000) };
 const stream = new Stream({
   state, measures, size_px, display, token: () => store.token,
   on_frame: header => {
@@ -65,7 +66,7 @@ const stream = new Stream({
     document.body.dataset.stage = stage_word(header.quality_stage);
     hud.frame(header);
   },
-  on_message: message => ({ welcome, stats: values => hud.stats(values), error: error => notices.toast(error.message, 6000) })[message.type]?.(message),
+  on_message: message => receivers[message.type]?.(message),
   on_state: (name, detail) => {
     document.body.dataset.stream = name;
     if (name === 'connecting') document.body.dataset.stage = stage_word(0);

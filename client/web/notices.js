@@ -41,8 +41,8 @@ export class Notices {
   // The first picture of a sky may have to wait until its noise is baked.
   preparing(title) {
     this.clear();
-    this.#patience_timer = setTimeout(
-      () => this.#show({ kind: 'preparing', quiet: true, heading: '', text: `Preparing ${title}…`, again: '' }), patience_ms);
+    const words = { kind: 'preparing', quiet: true, heading: '', text: `Preparing ${title}…`, again: '' };
+    this.#patience_timer = setTimeout(() => this.#show(words), patience_ms);
   }
 
   // All, or only a notice of this kind.
