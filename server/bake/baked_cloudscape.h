@@ -24,14 +24,16 @@ class BakedCloudscape {
   const gpu::Texture& shape() const { return shape_; }
   const gpu::Texture& detail() const { return detail_; }
   const gpu::Texture& variation() const { return variation_; }
-  // The cut-off above which the share `coverage` of the tile's columns holds cloud; in units of the shape channel,
-  // 0..1.
-  double threshold_for(double coverage) const;
+  // The cut-off above which the share `coverage` of the tile's columns holds cloud, where the finer channels are mixed
+  // into the shape with `weights` as the march does it. In units of the shape channel; remembered for the last weights.
+  double threshold_for(double coverage, const std::array<double, 3>& weights) const;
   std::size_t bytes() const { return shape_.bytes() + detail_.bytes() + variation_.bytes(); }
 
  private:
   gpu::Texture shape_, detail_, variation_;
-  std::array<int, 256> column_maxima_{};  // histogram of each column's greatest shape value
+  std::vector<std::uint8_t> texels_;  // of the shape texture
+  mutable std::array<double, 3> weights_{};
+  mutable std::vector<float> column_maxima_;  // each column's greatest shape value for weights_, ascending
 };
 
 }  // namespace cloudscape::bake

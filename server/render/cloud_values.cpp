@@ -44,19 +44,22 @@ void set_light_function(CloudBlock& block, const LightFunction& light) {
 void set_shape(CloudBlock& block, const FrameRequest& request, const bake::BakedCloudscape& baked) {
   const Cloudscape& sky = *request.cloudscape;
   const glm::dvec2 at_m = drifted(request);
-  const double threshold = sky.shape.threshold.value_or(baked.threshold_for(sky.shape.coverage));
+  const auto& channels = sky.noise.channels;
+  const double mean_erosion = 0.5 * sky.detail.strength;  // shaders/render/medium.glsl
+  const double threshold = sky.shape.threshold.value_or(
+      baked.threshold_for(sky.shape.coverage, {channels[1].weight, channels[2].weight, channels[3].weight}) -
+      mean_erosion);
   const CoverageVariation& slow = sky.shape.coverage_variation;
   // tuned: half the threshold is enough to open and close the sky; a third of a tile hides repetition without smearing
   // shapes.
-  block.shape = {threshold, 1 / sky.shape.edge_softness, slow.amount * 0.5, sky.volume.tiling ? 0.35 : 0.0};
-  const auto& channels = sky.noise.channels;
+  block.shape = {threshold, sky.shape.edge_softness, slow.amount * 0.5, sky.volume.tiling ? 0.35 : 0.0};
   block.weights = {1, channels[1].weight, channels[2].weight, channels[3].weight};
   const double period_m = 4 * slow.wavelength_m;  // shaders/bake/variation.comp
   block.variation = {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), 0};
   block.detail = {1 / sky.detail.period_m, fraction(at_m.x / sky.detail.period_m),
                   fraction(at_m.y / sky.detail.period_m), 0};
-  // tuned: steps longer than half a detail tile would sample it at random.
-  block.erosion = {sky.detail.strength, 0.5 * sky.detail.period_m, 0, 0};
+  // tuned: steps longer than half a detail tile would sample it at random; its finest part is worth its cost up close.
+  block.erosion = {sky.detail.strength, 0.5 * sky.detail.period_m, 0.1 * sky.detail.period_m, 0};
 }
 
 }  // namespace
