@@ -46,7 +46,7 @@ export class Connection {
       opened = true;
       socket.send(JSON.stringify(this.hello()));
     };
-    socket.onmessage = ({ data }) => (typeof data === 'string' ? this.#text(data) : this.on_frame(data));
+    socket.onmessage = ({ data }) => (typeof data === 'string' ? this.#text(data) : this.#binary(data));
     socket.onclose = event => this.#closed(event, opened);
     this.#socket = socket;
   }
@@ -98,6 +98,14 @@ export class Connection {
     else this.on_message(message);
     if (message.type === 'welcome') this.on_state('live', {});
     if (this.#fatal && !this.#live) this.#refuse('protocol', this.#fatal.message);
+  }
+
+  #binary(data) {
+    try {
+      this.on_frame(data);
+    } catch (error) {
+      this.#refuse('protocol', error.message);
+    }
   }
 
   #refuse(kind, message) {

@@ -52,7 +52,8 @@ export function stage_word(quality_stage) {
 }
 
 export function bitrate_text(bits_per_second) {
-  return bits_per_second >= 1e6 ? `${(bits_per_second / 1e6).toFixed(1)} Mbit/s` : `${Math.round(bits_per_second / 1e3)} kbit/s`;
+  if (bits_per_second >= 1e6) return `${(bits_per_second / 1e6).toFixed(1)} Mbit/s`;
+  return `${Math.round(bits_per_second / 1e3)} kbit/s`;
 }
 
 export class Hud {
@@ -61,7 +62,8 @@ export class Hud {
 
   constructor({ root, measures }) {
     this.measures = measures;
-    this.fields = Object.fromEntries([...root.querySelectorAll('[data-figure]')].map(node => [node.dataset.figure, node]));
+    const nodes = [...root.querySelectorAll('[data-figure]')];
+    this.fields = Object.fromEntries(nodes.map(node => [node.dataset.figure, node]));
   }
 
   renderer({ renderer, software }) {
@@ -83,7 +85,8 @@ export class Hud {
   refresh() {
     const { rests, frames_per_second, bits_per_second, latency_ms } = this.measures.figures(performance.now());
     const header = this.#header;
-    this.fields.fps.textContent = rests ? 'at rest' : `${Math.round(frames_per_second)} fps`;
+    const rate = frames_per_second.toFixed(frames_per_second < 9.5 ? 1 : 0);
+    this.fields.fps.textContent = rests || !frames_per_second ? 'at rest' : `${rate} fps`;
     this.fields.latency.textContent = latency_ms === null ? '' : `${Math.round(latency_ms)} ms`;
     this.fields.bitrate.textContent = rests ? '' : bitrate_text(bits_per_second);
     this.fields.size.textContent = header ? `${header.width_px} × ${header.height_px}` : '';

@@ -1,7 +1,8 @@
 // Keys: WASD and QE fly, the arrows turn, shift is faster; single letters run the page's commands.
 
 const axes = {
-  KeyW: ['forward', 1], KeyS: ['forward', -1], KeyD: ['right', 1], KeyA: ['right', -1], KeyE: ['up', 1], KeyQ: ['up', -1],
+  KeyW: ['forward', 1], KeyS: ['forward', -1], KeyD: ['right', 1], KeyA: ['right', -1],
+  KeyE: ['up', 1], KeyQ: ['up', -1],
   ArrowRight: ['turn_right', 1], ArrowLeft: ['turn_right', -1], ArrowUp: ['turn_up', 1], ArrowDown: ['turn_up', -1],
 };
 

@@ -11,6 +11,7 @@ import { KeyboardInput } from './input_keyboard.js';
 import { MouseInput } from './input_mouse.js';
 import { TouchInput, TouchStick } from './input_touch.js';
 import { Notices } from './notices.js';
+import { copy_link, toggle_fullscreen, toggle_panel } from './page_actions.js';
 import { Panel } from './panel.js';
 import { Stills } from './still.js';
 import { StillPanel } from './still_panel.js';
@@ -37,7 +38,6 @@ let pose_is_due = false;
 
 if (matchMedia('(prefers-reduced-motion: reduce)').matches) camera.smoothing_s = 0;
 
-// --- size ---
 const window_size_px = () => [innerWidth, innerHeight].map(side => Math.round(side * devicePixelRatio));
 const size_px = () => stream_size_px({
   width_css: innerWidth, height_css: innerHeight, device_pixel_ratio: devicePixelRatio,
@@ -50,25 +50,28 @@ const notices = new Notices({
   toast: $('toast'), notice: $('notice'),
   on_again: kind => (kind === 'cloudscape' ? open_cloudscape(default_cloudscape()) : start()),
   on_token: token => {
-    if (!is_token(token)) return notices.refused({ kind: 'token', message: 'A token has only letters, digits and - . _ ~' });
+    const message = 'A token has only letters, digits and - . _ ~';
+    if (!is_token(token)) return notices.refused({ kind: 'token', message });
     store.token = token;
     start();
   },
 });
 const display = new Display({ sky: $('sky'), edge: $('edge') });
 const hud = new Hud({ root: $('hud'), measures });
+const receivers = { welcome, stats: values => hud.stats(values), error: ({ message }) => notices.toast(message, 6000) };
 const stream = new Stream({
   state, measures, size_px, display, token: () => store.token,
   on_frame: header => {
+    notices.clear('preparing');
     document.body.dataset.stage = stage_word(header.quality_stage);
     hud.frame(header);
   },
-  on_message: message => ({ welcome, stats: values => hud.stats(values), error: tell })[message.type]?.(message),
+  on_message: message => receivers[message.type]?.(message),
   on_state: (name, detail) => {
     document.body.dataset.stream = name;
     if (name === 'connecting') document.body.dataset.stage = stage_word(0);
     if (name === 'live') {
-      notices.clear();
+      notices.preparing(title_of(state.chosen.cloudscape));
       wake();
     }
     if (name === 'waiting') notices.waiting(detail.reason);
@@ -97,12 +100,10 @@ function welcome(message) {
   if (String(size_px()) !== asked) ask_size();
 }
 
-function tell(error) {
-  notices.toast(error.message, 6000);
-}
-
 // --- start, other skies, links ---
 const default_cloudscape = () => (cloudscapes.find(({ name }) => name === usual_cloudscape) ?? cloudscapes[0])?.name;
+
+const title_of = wanted => cloudscapes.find(({ name }) => name === wanted)?.title ?? wanted;
 
 let start_attempt = 0, start_timer = null;
 async function start() {
@@ -203,21 +204,12 @@ const panel = new Panel({
 const stills = new Stills({ state, token: () => store.token, window_size_px });
 const still_panel = new StillPanel({ root: $('panel'), stills, window_size_px });
 
-function toggle_panel(shown = document.body.classList.contains('no-panel')) {
-  document.body.classList.toggle('no-panel', !shown);
-  $('panel').inert = !shown;
-  // Focus must not stay on something that is gone.
-  if (!shown && $('panel').contains(document.activeElement)) $('show').focus();
-}
+const show_panel = shown => toggle_panel($('panel'), $('show'), shown);
 const toggle_hud = () => store.set('hud', document.body.classList.toggle('no-hud') ? 'off' : 'on');
-const toggle_fullscreen = () =>
-  (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.());
 const reset = () => open_cloudscape(state.chosen.cloudscape);
-async function copy_link() {
+async function copy() {
   address.write('replaceState');
-  // Without a secure context there is no clipboard: the address bar holds the same link.
-  await (navigator.clipboard?.writeText(location.href) ?? Promise.reject(new Error('no clipboard')))
-    .then(() => notices.toast('Link copied'), () => notices.toast('The link is in the address bar', 4000));
+  notices.toast(await copy_link());
 }
 
 const mouse = new MouseInput({
@@ -227,7 +219,7 @@ const mouse = new MouseInput({
 const keyboard = new KeyboardInput({
   window, on_active: wake,
   commands: {
-    KeyH: toggle_panel, KeyI: toggle_hud, KeyF: toggle_fullscreen, KeyR: reset, KeyL: () => mouse.toggle_lock(),
+    KeyH: () => show_panel(), KeyI: toggle_hud, KeyF: toggle_fullscreen, KeyR: reset, KeyL: () => mouse.toggle_lock(),
     Space: () => panel.toggle_play(),
   },
 });
@@ -237,8 +229,8 @@ const gamepad = new GamepadInput({ window, on_active: wake, on_speed: change_spe
 const inputs = [keyboard, touch, stick, gamepad];
 
 for (const [id, action] of Object.entries({
-  show: () => toggle_panel(true), hide: () => toggle_panel(false), lock: () => mouse.toggle_lock(),
-  fullscreen: toggle_fullscreen, reset, copy: copy_link,
+  show: () => show_panel(true), hide: () => show_panel(false), lock: () => mouse.toggle_lock(),
+  fullscreen: toggle_fullscreen, reset, copy,
 })) $(id).addEventListener('click', action);
 
 let resize_timer = null;
@@ -250,7 +242,7 @@ addEventListener('resize', () => {
   }, resize_quiet_ms);
 });
 
-toggle_panel(!matchMedia('(max-width: 600px)').matches);
+show_panel(!matchMedia('(max-width: 600px)').matches);
 document.body.classList.toggle('no-hud', store.get('hud') === 'off');
 panel.resolution.value = store.get('resolution') ?? 'automatic';
 follow_link();

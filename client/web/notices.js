@@ -1,12 +1,14 @@
 // What the page says in words: a passing toast, a pill while it reconnects, a card where the server refuses.
 
 const toast_ms = 1800;  // tuned: long enough for a short sentence
+const patience_ms = 900;  // tuned: shorter waits need no words
 const headings = {
   token: 'Access token needed', forbidden: 'Not allowed', cloudscape: 'No such sky', protocol: 'The stream was refused',
 };
 
 export class Notices {
   #toast_timer = null;
+  #patience_timer = null;
 
   // `on_again(kind)`: the button was pressed. `on_token(text)`: a token was given.
   constructor({ toast, notice, on_again, on_token }) {
@@ -36,11 +38,21 @@ export class Notices {
     if (kind === 'token') this.token_form.elements.token.focus();
   }
 
-  clear() {
-    this.notice.hidden = true;
+  // The first picture of a sky may have to wait until its noise is baked.
+  preparing(title) {
+    this.clear();
+    const words = { kind: 'preparing', quiet: true, heading: '', text: `Preparing ${title}…`, again: '' };
+    this.#patience_timer = setTimeout(() => this.#show(words), patience_ms);
+  }
+
+  // All, or only a notice of this kind.
+  clear(kind) {
+    clearTimeout(this.#patience_timer);
+    if (!kind || kind === this.kind) this.notice.hidden = true;
   }
 
   #show({ kind, quiet = false, heading, text, again }) {
+    clearTimeout(this.#patience_timer);
     const asks_token = kind === 'token';
     this.kind = kind;
     this.notice.classList.toggle('quiet', quiet);
@@ -48,7 +60,7 @@ export class Notices {
     this.notice.querySelector('h2').textContent = heading;
     this.notice.querySelector('p').textContent = text;
     this.again.textContent = again;
-    this.again.hidden = asks_token;
+    this.again.hidden = asks_token || !again;
     this.token_form.hidden = !asks_token;
     this.notice.hidden = false;
   }

@@ -31,7 +31,9 @@ export class Panel {
         this.#show_slider(name, slider.valueAsNumber);
       });
     }
-    for (const name of selects) this.#control(name).addEventListener('change', event => on_choose({ [name]: event.target.value }));
+    for (const name of selects) {
+      this.#control(name).addEventListener('change', event => on_choose({ [name]: event.target.value }));
+    }
     this.resolution = this.#control('resolution');
     this.resolution.addEventListener('change', () => on_resolution(this.resolution.value));
     this.play = this.#control('play');

@@ -36,7 +36,8 @@ export function read_frame(buffer) {
   };
   const image_bytes = u32();
   if (frame_header_bytes + image_bytes !== buffer.byteLength) {
-    throw new Error(`A frame announces ${image_bytes} bytes of image and carries ${buffer.byteLength - frame_header_bytes}.`);
+    const carried_bytes = buffer.byteLength - frame_header_bytes;
+    throw new Error(`A frame announces ${image_bytes} bytes of image and carries ${carried_bytes}.`);
   }
   if (!header.image_type) throw new Error('A frame carries an image format that browsers do not show.');
   return { header, image: new Uint8Array(buffer, frame_header_bytes, image_bytes) };

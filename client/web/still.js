@@ -2,6 +2,8 @@
 
 import { api_fetch } from './api.js';
 
+const light_names = ['vertical_fov_deg', 'time_s', 'sun_azimuth_deg', 'sun_elevation_deg', 'exposure_ev', 'tone_curve'];
+
 // The still's query from the same choices that a link has.
 export function still_query(state, { format, quality, width, height }) {
   const { chosen } = state;
@@ -10,7 +12,7 @@ export function still_query(state, { format, quality, width, height }) {
     query.set('position', chosen.pose.position_m.join(','));
     for (const name of ['azimuth_deg', 'elevation_deg', 'roll_deg']) query.set(name, chosen.pose[name]);
   }
-  for (const name of ['vertical_fov_deg', 'time_s', 'sun_azimuth_deg', 'sun_elevation_deg', 'exposure_ev', 'tone_curve']) {
+  for (const name of light_names) {
     if (chosen[name] !== undefined) query.set(name, chosen[name]);
   }
   for (const [name, value] of Object.entries({ width, height, quality, format })) query.set(name, value);

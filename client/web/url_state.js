@@ -35,7 +35,8 @@ export function format_fragment(chosen) {
   }
   for (const name of Object.keys(numbers)) {
     const is_start = name === 'time_s' && !chosen.time_s;
-    if (!pose_names.includes(name) && chosen[name] !== undefined && !is_start) add(name, short(chosen[name], numbers[name].digits));
+    if (pose_names.includes(name) || chosen[name] === undefined || is_start) continue;
+    add(name, short(chosen[name], numbers[name].digits));
   }
   for (const name of ['tone_curve', 'quality']) if (chosen[name] !== undefined) add(name, chosen[name]);
   return parts.join('&');

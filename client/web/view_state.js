@@ -12,7 +12,8 @@ export class ViewState {
     return this.chosen[name] ?? this.#document[name];
   }
 
-  // Takes new choices in and returns the protocol's members that tell the server. Exposure and tone curve travel as one.
+  // Takes new choices in and returns the protocol's members that tell the server. Exposure and tone curve travel
+  // as one.
   choose(members) {
     const together = 'exposure_ev' in members || 'tone_curve' in members
       ? { exposure_ev: this.get('exposure_ev'), tone_curve: this.get('tone_curve'), ...members } : members;

@@ -56,7 +56,7 @@ struct EnumNames<GroundKind> {
 
 struct Ground {
   GroundKind kind = GroundKind::plain;
-  glm::dvec3 albedo{0.10, 0.13, 0.06};
+  glm::dvec3 albedo{0.14, 0.15, 0.09};
   double variation = 0.5;
   bool operator==(const Ground&) const = default;
 

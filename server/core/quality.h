@@ -29,16 +29,11 @@ struct RenderQuality {
 // find.
 constexpr RenderQuality render_quality(Quality quality) {
   switch (quality) {
-    case Quality::draft:
-      return {96, 80.0, 0.035, 4, 2, 1, false};
-    case Quality::interactive:
-      return {128, 60.0, 0.025, 5, 1, 1, false};
-    case Quality::standard:
-      return {192, 40.0, 0.018, 6, 1, 8, false};
-    case Quality::high:
-      return {320, 25.0, 0.012, 8, 1, 24, false};
-    case Quality::reference:
-      return {1024, 10.0, 0.004, 24, 1, 64, true};
+    case Quality::draft: return {96, 70.0, 0.035, 4, 2, 1, false};
+    case Quality::interactive: return {144, 45.0, 0.025, 5, 1, 1, false};
+    case Quality::standard: return {256, 22.0, 0.016, 6, 1, 12, false};
+    case Quality::high: return {400, 12.0, 0.011, 8, 1, 32, false};
+    case Quality::reference: return {1024, 8.0, 0.004, 24, 1, 64, true};
   }
   return {};
 }

@@ -133,7 +133,8 @@ Json cloudscapes() {
 }
 
 Json cloudscape() {
-  const std::vector<std::pair<std::string, std::string>> unknown{{"401", "The token is missing or wrong."},
+  const std::vector<std::pair<std::string, std::string>> unknown{{"400", "A parameter or name is wrong."},
+                                                                 {"401", "The token is missing or wrong."},
                                                                  {"404", "No such cloudscape."}};
   Json documents = content("application/json", reference("Cloudscape"));
   documents["text/plain"] = {{"schema", {{"type", "string"}}}};

@@ -25,8 +25,6 @@ struct Outbox {
   std::deque<std::string> texts;
   std::optional<OutgoingFrame> frame;
   std::optional<Close> close;  // after the texts
-
-  bool empty() const { return texts.empty() && !frame && !close; }
 };
 
 }  // namespace cloudscape::net

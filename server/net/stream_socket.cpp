@@ -29,31 +29,39 @@ StreamSocket::StreamSocket(Site& site, lws* wsi) : wsi_(wsi), session_(site, [ws
 }
 
 int StreamSocket::on_receive(std::string_view bytes) {
-  if (lws_is_first_fragment(wsi_)) message_.clear(), too_long_ = false;
+  if (lws_is_first_fragment(wsi_)) message_.clear();
   // libwebsockets has no limit: a frame that announces 2^40 bytes would be handed over piece by piece.
-  if (!too_long_ && message_.size() + bytes.size() > wire::max_client_message_bytes) {
-    too_long_ = true;
+  if (!session_.closing() && message_.size() + bytes.size() > wire::max_client_message_bytes) {
+    discarding_ = true;
     session_.on_oversize();
   }
-  if (too_long_ || session_.closing()) return 0;
+  const bool complete = lws_is_final_fragment(wsi_);
+  if (discarding_ && complete) {
+    discarding_ = false;
+    lws_callback_on_writable(wsi_);
+  }
+  if (session_.closing()) return 0;
   message_.append(bytes);
-  if (lws_is_final_fragment(wsi_))
-    session_.on_message(message_, lws_frame_is_binary(wsi_), std::chrono::steady_clock::now());
+  if (complete) session_.on_message(message_, lws_frame_is_binary(wsi_), std::chrono::steady_clock::now());
   return 0;
 }
 
 int StreamSocket::on_writable() {
+  if (close_sent_) return 0;  // closing again would hang up before the viewer has answered
   Outbox& outbox = session_.outbox();
   int result = 0;
   if (sending_)
     result = write_frame_part();
   else if (!outbox.texts.empty())
     result = write_text();
-  else if (outbox.close)
+  else if (outbox.close && !discarding_)
     result = close_now();
   else if (outbox.frame)
     sending_ = std::exchange(outbox.frame, std::nullopt), sent_ = 0, result = write_frame_part();
-  if (result == 0 && (sending_ || !outbox.empty())) lws_callback_on_writable(wsi_);
+  // While a message is discarded the close waits for its end, or for the timer: closing with unread bytes would make
+  // the kernel send a reset, which can overtake the reason.
+  const bool more = sending_ || !outbox.texts.empty() || outbox.frame || (outbox.close && !discarding_);
+  if (result == 0 && more) lws_callback_on_writable(wsi_);
   return result;
 }
 
@@ -80,6 +88,7 @@ int StreamSocket::write_frame_part() {
 }
 
 int StreamSocket::close_now() {
+  close_sent_ = true;
   auto [code, reason] = *session_.outbox().close;
   reason.resize(std::min(reason.size(), max_close_reason_bytes));
   lws_close_reason(wsi_, static_cast<lws_close_status>(code), reinterpret_cast<unsigned char*>(reason.data()),
@@ -88,6 +97,7 @@ int StreamSocket::close_now() {
 }
 
 int StreamSocket::on_timer() {
+  if (close_sent_) return 0;
   if (session_.closing() && ++seconds_closing_ > close_within_s) return close_now();
   if (++seconds_ == hello_within_s) session_.on_hello_deadline();
   session_.on_second(std::chrono::steady_clock::now());

@@ -26,12 +26,13 @@ class StreamSocket {
 
   lws* wsi_;
   StreamSession session_;
-  std::string message_;  // that is being received
-  bool too_long_ = false;
+  std::string message_;      // that is being received
+  bool discarding_ = false;  // the rest of a message that is too long
   std::optional<OutgoingFrame> sending_;
   std::size_t sent_ = 0;  // of it
   int seconds_ = 0;
   int seconds_closing_ = 0;
+  bool close_sent_ = false;
 };
 
 }  // namespace cloudscape::net

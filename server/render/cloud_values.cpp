@@ -52,14 +52,14 @@ void set_shape(CloudBlock& block, const FrameRequest& request, const bake::Baked
   const CoverageVariation& slow = sky.shape.coverage_variation;
   // tuned: half the threshold is enough to open and close the sky; a third of a tile hides repetition without smearing
   // shapes.
-  block.shape = {threshold, 1 / sky.shape.edge_softness, slow.amount * 0.5, sky.volume.tiling ? 0.35 : 0.0};
+  block.shape = {threshold, sky.shape.edge_softness, slow.amount * 0.5, sky.volume.tiling ? 0.35 : 0.0};
   block.weights = {1, channels[1].weight, channels[2].weight, channels[3].weight};
   const double period_m = 4 * slow.wavelength_m;  // shaders/bake/variation.comp
   block.variation = {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), 0};
   block.detail = {1 / sky.detail.period_m, fraction(at_m.x / sky.detail.period_m),
                   fraction(at_m.y / sky.detail.period_m), 0};
-  // tuned: steps longer than half a detail tile would sample it at random.
-  block.erosion = {sky.detail.strength, 0.5 * sky.detail.period_m, 0, 0};
+  // tuned: steps longer than half a detail tile would sample it at random; its finest part is worth its cost up close.
+  block.erosion = {sky.detail.strength, 0.5 * sky.detail.period_m, 0.1 * sky.detail.period_m, 0};
 }
 
 }  // namespace

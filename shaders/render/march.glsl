@@ -49,7 +49,7 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
     if (t > path.gap_begin && t < path.gap_end) t = path.gap_end + jitter * step_m;
     vec3 p = ray.origin + ray.direction * t;
     step_m = step_length_m(t, stretch_m);
-    float density = density_at(p, step_m < cloud.erosion.y);
+    float density = density_at(p, step_m);
     if (density > 0.0) {
       if (empty > 4) {  // came with a double step: go back one, so that the edge is not cut
         empty = 0;

@@ -20,14 +20,19 @@ float sphere_radius_m() { return 0.5 * (cloud.box_high.x - cloud.box_low.x); }
 // How much of the erosion there is on average, where the detail texture itself is not read (far away, towards the sun).
 const float mean_erosion = 0.5;  // tuned: the mean of `erosion_at`
 
-float erosion_at(vec3 p, float h) {
+float erosion_at(vec3 p, float h, bool close) {
   vec4 noise = texture(detail_texture, p * cloud.detail.x + cloud.detail.yzw);
   // Cracks between billows at the tops, wisps at the base (after Schneider and Vos 2015).
-  return mix(noise.y, 1.0 - noise.x, clamp(h * 5.0, 0.0, 1.0));
+  float erosion = mix(noise.y, 1.0 - noise.x, clamp(h * 5.0, 0.0, 1.0));
+  if (!close) return erosion;
+  // The same texture again, finer: what the eye wants within a kilometre or two. tuned: the ratio is no whole number, so that
+  // the two never line up.
+  float fine = texture(detail_texture, p * (4.7 * cloud.detail.x) + 4.7 * cloud.detail.yzw).x;
+  return 0.72 * erosion + 0.28 * (1.0 - fine);
 }
 
-// Density 0..1 of a noise volume. `detailed`: read the detail texture (costs one more sample).
-float noise_density(vec3 p, bool detailed) {
+// Density 0..1 of a noise volume, sampled every `spacing_m`: what is finer is left out.
+float noise_density(vec3 p, float spacing_m) {
   float h = (altitude_of(p) - cloud.layer.x) * cloud.layer.z;
   if (h <= 0.0 || h >= 1.0) return 0.0;
   vec2 tile = p.xy * cloud.tile.xy + cloud.tile.zw;
@@ -41,12 +46,14 @@ float noise_density(vec3 p, bool detailed) {
   vec4 noise = texture(shape_texture, vec3(tile, h));
   float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5)) - threshold;
   if (value <= 0.0) return 0.0;
-  value -= cloud.erosion.x * (detailed ? erosion_at(p, h) : mean_erosion);
-  return clamp(value * cloud.shape.y, 0.0, 1.0);
+  value -= cloud.erosion.x * (spacing_m < cloud.erosion.y ? erosion_at(p, h, spacing_m < cloud.erosion.z) : mean_erosion);
+  // tuned: shape noise changes by about this much a metre, so that samples far apart do not fall through thin edges.
+  const float shape_per_m = 1.2e-4;
+  return clamp(value / (cloud.shape.y + shape_per_m * min(spacing_m, 400.0)), 0.0, 1.0);
 }
 
-float density_at(vec3 p, bool detailed) {
-  if (volume_kind() == volume_noise) return noise_density(p, detailed);
+float density_at(vec3 p, float spacing_m) {
+  if (volume_kind() == volume_noise) return noise_density(p, spacing_m);
   if (volume_kind() != volume_gaussian) return 1.0;  // homogeneous inside its interval
   vec3 d = (p - box_center()) / (0.125 * (cloud.box_high.x - cloud.box_low.x));
   return exp(-0.5 * dot(d, d));

@@ -19,7 +19,7 @@ vec3 sun_transmittance(vec3 position) {
 
 // Light scattered more than once, as a share of the sunlight at the point, by wavelength. tuned: stands for a transport solution
 // within a fifth of the sky's radiance at noon; a table of it comes with the physical atmosphere.
-vec3 multiple_scattering_share() { return vec3(0.10, 0.20, 0.38) + frame.ground_albedo.xyz * max(frame.sun_direction.z, 0.0); }
+vec3 multiple_scattering_share() { return vec3(0.25, 0.45, 0.80) + frame.ground_albedo.xyz * max(frame.sun_direction.z, 0.0); }
 
 PassOutput shade(ivec2 pixel) {
   float altitude_m = max(frame.camera_forward.w, 1.0);

@@ -6,9 +6,9 @@
 /* layer: bottom altitude, top altitude, 1 / thickness, kind as core's VolumeKind.
    tile: 1 / size east, 1 / size north (1/m), offset east, north (tiles) of the point below the camera.
    box_low, box_high: corners of the volume relative to the point below the camera (not curved), w of low: tiles?
-   shape: threshold, 1 / edge softness, variation amount, shift of the tile by the variation (tiles).
+   shape: threshold, edge softness, variation amount, shift of the tile by the variation (tiles).
    weights: of the four shape channels. variation: 1 / period (1/m), offset east, north (periods), 0.
-   detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, distance at which it is gone (m), 0, 0.
+   detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, sample spacing from which it is averaged (m), the same for its finest part, 0.
    medium: extinction (1/m), scattering (1/m), ambient scale, phase kind. phase: g, second g, second weight, light function.
    olajos: attenuation, in-scatter, gain, 0.
    octave_weight_low/high, octave_extinction_low/high, octave_asymmetry_low/high: of octaves 0..3 and 4..7; weight 0: unused.

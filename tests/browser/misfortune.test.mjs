@@ -49,6 +49,15 @@ test('a full server is waited for', async t => {
   await page.waitForSelector('#notice', { state: 'hidden' });
 });
 
+test('a sky whose first picture takes long is said to be prepared', async t => {
+  const { server, page } = await open(t, { frozen: true });
+  await notice(page, 'preparing');
+  assert.match(await page.locator('#notice').innerText(), /Preparing Fair-weather cumulus/);
+  server.options.frozen = false;
+  await page.keyboard.press('ArrowLeft', { delay: 100 });
+  await page.waitForSelector('#notice', { state: 'hidden' });
+});
+
 test('a server that starts says so, and the page waits', async t => {
   const { server, page } = await open(t, { starting: true });
   await notice(page, 'waiting');

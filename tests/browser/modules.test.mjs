@@ -222,6 +222,16 @@ test('a refusal is final and keeps the server\'s sentence', async () => {
   assert.equal(FakeSocket.all.length, 2);
 });
 
+test('a frame that cannot be read ends the stream in words', () => {
+  const { made, states } = connection();
+  made.on_frame = read_frame;
+  made.open();
+  FakeSocket.all[0].accept();
+  FakeSocket.all[0].onmessage({ data: new ArrayBuffer(3) });
+  assert.equal(states.at(-1).name, 'refused');
+  assert.match(states.at(-1).message, /3 bytes is shorter/);
+});
+
 test('a hidden page rests and wakes; one that was refused stays refused', () => {
   const { made, states } = connection();
   made.open();

@@ -6,7 +6,7 @@ import { start } from './program.mjs';
 import { exchange, has_whole_answer, request, statuses, upgrade } from './raw.mjs';
 
 let server;
-before(async () => { server = await start({ 'max-body-kib': 64 }); });
+before(async () => { server = await start({ 'max-body-kib': 64, 'header-timeout-s': 2 }); });
 after(() => server.stop());
 
 const get = (path, headers) => request(`GET ${path} HTTP/1.1`, headers);
@@ -44,7 +44,7 @@ const cases = [
   ['a URI above the header table', get(`/${'a'.repeat(20000)}`), closed],
   ['a huge header', get('/', { 'X-Long': 'a'.repeat(20000) }), closed],
   ['very many headers', get('/', Object.fromEntries([...Array(2000)].map((_, i) => [`X-${i}`, 'x']))), closed],
-  ['a header of nothing but a colon', 'GET /healthz HTTP/1.1\r\nHost: localhost\r\n: x\r\n\r\n', [200]],
+  ['a header of nothing but a colon', 'GET /healthz HTTP/1.1\r\nHost: localhost\r\n: x\r\n\r\n', closed],
   ['no Host', request('GET / HTTP/1.1', { Host: null }), [400]],
   ['two Hosts', get('/', { Host: ['localhost', 'evil.example'] }), [400]],
   ['a foreign Host', get('/', { Host: 'evil.example' }), [421]],
@@ -79,7 +79,7 @@ const cases = [
   ['a body of the wrong type', post({ 'Content-Type': 'text/plain', 'Content-Length': 2 }), [415]],
   ['a body nested deeply', post({ ...json, 'Content-Length': 60000 }, '['.repeat(60000)), [400]],
   ['a document that is no object', request('PUT /api/v1/cloudscapes/a HTTP/1.1', { 'Content-Length': 2 }, '[]'), [400]],
-  ['a document with a bad name', request('PUT /api/v1/cloudscapes/A%20b HTTP/1.1', { 'Content-Length': 2 }), [400]],
+  ['a document with a bad name', request('PUT /api/v1/cloudscapes/A%20b HTTP/1.1', { 'Content-Length': 2 }, '{}'), [400]],
   ['a change from a foreign page', post({ ...json, 'Content-Length': 2, Origin: 'http://evil.example' }), [403]],
 
   ['an upgrade to nothing known', get('/', { Connection: 'Upgrade', Upgrade: 'foo' }), [403]],

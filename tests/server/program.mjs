@@ -4,8 +4,9 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const program = process.env.CLOUDSCAPE_PROGRAM;
-const cache = process.env.CLOUDSCAPE_TEST_CACHE;
+// The rest of the environment has no CLOUDSCAPE_ in it: a setting of the user's, or a name that is none, would matter.
+const { CLOUDSCAPE_PROGRAM: program, CLOUDSCAPE_TEST_CACHE: cache } = process.env;
+const environment_of_user = Object.fromEntries(Object.entries(process.env).filter(([name]) => !name.startsWith('CLOUDSCAPE_')));
 
 // `settings`: flags of `cloudscape serve` without their dashes. `open_files`: the process's limit.
 export async function start(settings = {}, { open_files = 0, environment = {}, command = [program, 'serve'] } = {}) {
@@ -14,7 +15,7 @@ export async function start(settings = {}, { open_files = 0, environment = {}, c
     .flatMap(([name, value]) => (value === true ? [`--${name}`] : [`--${name}`, String(value)]));
   const limit = open_files ? `ulimit -n ${open_files}; ` : '';
   const child = spawn('sh', ['-c', `${limit}exec "$@"`, 'sh', ...command, ...flags], {
-    env: { ...process.env, CLOUDSCAPE_TOKEN: '', ...environment }, stdio: ['ignore', 'pipe', 'pipe'] });
+    env: { ...environment_of_user, ...environment }, stdio: ['ignore', 'pipe', 'pipe'] });
   const server = new Program(child, folder);
   await server.link_told;
   return server;

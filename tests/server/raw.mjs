@@ -2,9 +2,9 @@
 import { connect } from 'node:net';
 
 // Sends `parts` (a number is a pause in ms) and collects what comes until the server closes or `timeout_ms` is over.
-export function exchange(port, parts, { timeout_ms = 3000, until = () => false } = {}) {
+export function exchange(port, parts, { timeout_ms = 3000, until = () => false, local } = {}) {
   return new Promise(resolve => {
-    const socket = connect({ port, host: '127.0.0.1' });
+    const socket = connect({ port, host: '127.0.0.1', localAddress: local });
     const started = Date.now();
     let received = Buffer.alloc(0), ended = false;
     const done = closed => {
@@ -32,7 +32,7 @@ export function exchange(port, parts, { timeout_ms = 3000, until = () => false }
 }
 
 // The status codes of the responses in `text`, in order.
-export const statuses = text => [...text.matchAll(/^HTTP\/1\.[01] (\d{3}) /gm)].map(match => Number(match[1]));
+export const statuses = text => [...text.matchAll(/HTTP\/1\.[01] (\d{3}) /g)].map(match => Number(match[1]));
 
 export const has_whole_answer = text => {
   const head = text.indexOf('\r\n\r\n');
