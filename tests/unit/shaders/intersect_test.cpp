@@ -13,6 +13,8 @@ namespace {
 
 using glsl::vec2, glsl::vec3;
 
+constexpr int radius_m = 6360000;  // of the planet, Hillaire 2020
+
 struct Interval {
   long double near, far;
 };
@@ -33,11 +35,11 @@ Hit exact_sphere(vec3 origin, vec3 direction, vec3 center, long double radius) {
   return roots(glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - radius * radius);
 }
 Hit exact_altitude(vec3 origin, vec3 direction, long double altitude) {
-  return exact_sphere(origin, direction, vec3(0, 0, -glsl::planet_radius_m), glsl::planet_radius_m + altitude);
+  return exact_sphere(origin, direction, vec3(0, 0, -radius_m), radius_m + altitude);
 }
 long double exact_altitude_at(vec3 origin, vec3 direction, long double distance) {
-  const lvec3 p = lvec3(origin) + distance * lvec3(direction) + lvec3(0, 0, glsl::planet_radius_m);
-  return glm::length(p) - glsl::planet_radius_m;
+  const lvec3 p = lvec3(origin) + distance * lvec3(direction) + lvec3(0, 0, radius_m);
+  return glm::length(p) - radius_m;
 }
 Hit hit_of(vec2 interval) {
   if (interval.x > interval.y) return std::nullopt;
