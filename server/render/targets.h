@@ -28,6 +28,7 @@ class TargetPool {
  public:
   std::unique_ptr<Targets> acquire(ImageSize size, int march_divisor, bool float32);
   void release(std::unique_ptr<Targets> targets);
+  std::size_t size() const { return free_.size(); }
 
  private:
   std::list<std::unique_ptr<Targets>> free_;  // most recently released first
