@@ -39,6 +39,7 @@ settings::StillRequest request_of(const StillOptions& options) {
   settings::CloudscapeLibrary library{{}};
   std::string name = options.cloudscape;
   if (name.find('/') != std::string::npos || name.ends_with(".json")) {
+    settings::find_cloudscape(library, name);  // its errors name the file
     library.put("file", settings::read_text_file(name, 256 * 1024));
     name = "file";
   }

@@ -9,6 +9,8 @@ namespace cloudscape::render {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
+constexpr double largest_half = 65504,
+                 largest_float = 3.4e38;   // a brighter sun would be infinite, and NaN behind a cloud
 constexpr double ground_period_m = 65536;  // shaders/lib/ground.glsl
 
 vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
@@ -21,9 +23,14 @@ glm::dvec2 subpixel_offset(int sample) {
   return {wrapped(0.5 + 0.7548776662466927 * sample, 1) - 0.5, wrapped(0.5 + 0.5698402909980532 * sample, 1) - 0.5};
 }
 
+double squared_chord(double angle_deg) {
+  const double half_chord = std::sin(0.5 * angle_deg * radians_per_degree);
+  return 4 * half_chord * half_chord;
+}
+
+// The solid angle of a disc is pi times the square of its radius' chord.
 double disc_per_solid_angle(const Sun& sun) {
-  if (!sun.disc) return 0;
-  return 1 / (2 * std::numbers::pi * (1 - std::cos(sun.angular_radius_deg * radians_per_degree)));
+  return sun.disc ? 1 / (std::numbers::pi * squared_chord(sun.angular_radius_deg)) : 0;
 }
 
 }  // namespace
@@ -55,8 +62,8 @@ FrameBlock frame_block(const FrameRequest& request, int sample) {
   block.size = {request.size_px.width, request.size_px.height, static_cast<int>(request.lens.kind),
                 request.quality.march_divisor};
   block.sample_info = {sample, 0, request.content == FrameContent::radiance, request.display.dither};
-  block.sun_direction = xyz_w(direction_of(sky.sun.azimuth_deg, sky.sun.elevation_deg),
-                              std::cos(sky.sun.angular_radius_deg * radians_per_degree));
+  block.sun_direction =
+      xyz_w(direction_of(sky.sun.azimuth_deg, sky.sun.elevation_deg), squared_chord(sky.sun.angular_radius_deg));
   block.sun_irradiance = xyz_w(sky.sun.irradiance, disc_per_solid_angle(sky.sun));
   block.sky = xyz_w(sky.sky.radiance, static_cast<double>(sky.sky.kind));
   block.atmosphere = {sky.sky.haze, 0, 0, 0};
@@ -64,7 +71,7 @@ FrameBlock frame_block(const FrameRequest& request, int sample) {
   block.ground = {sky.ground.kind == GroundKind::plain, wrapped(request.pose.position_m.x, ground_period_m),
                   wrapped(request.pose.position_m.y, ground_period_m), 0};
   block.display = {std::exp2(request.display.exposure_ev), static_cast<int>(request.display.tone_curve), 0, 0};
-  block.accumulation = {1.0 / (sample + 1), 0, 0, 0};
+  block.accumulation = {1.0 / (sample + 1), request.quality.float32 ? largest_float : largest_half, 0, 0};
   return block;
 }
 

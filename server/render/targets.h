@@ -32,6 +32,7 @@ class TargetPool {
  public:
   std::unique_ptr<Targets> acquire(ImageSize size, const RenderQuality& quality);
   void release(std::unique_ptr<Targets> targets);
+  std::size_t size() const { return free_.size(); }
 
  private:
   std::list<std::unique_ptr<Targets>> free_;  // most recently released first

@@ -24,11 +24,11 @@ vec3 atmosphere_extinction_per_m(float altitude_m, float haze) {
          ozone_absorption_per_m() * ozone_density(altitude_m);
 }
 
-// Mean of exp(-h / scale) between two altitudes.
+// Mean of exp(-h / scale) between two altitudes; from the lower one up, so that no power overflows.
 float mean_exponential(float a_m, float b_m, float scale_m) {
-  float d = (b_m - a_m) / scale_m;
-  float start = exp(-max(a_m, 0.0) / scale_m);
-  return abs(d) < 1.0e-3 ? start * (1.0 - 0.5 * d) : start * (1.0 - exp(-d)) / d;
+  float d = abs(b_m - a_m) / scale_m;
+  float start = exp(-max(min(a_m, b_m), 0.0) / scale_m);
+  return d < 1.0e-3 ? start * (1.0 - 0.5 * d) : start * (1.0 - exp(-d)) / d;
 }
 
 // Optical depth of the air between two altitudes along a path, ozone left out (it lies above the clouds).

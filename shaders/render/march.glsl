@@ -21,8 +21,9 @@ float step_jitter(ivec2 pixel) {
   return fract(noise + golden_ratio * float(frame.sample_info.x));
 }
 
+// A homogeneous medium is cut into equal steps, whose sum is the whole stretch wherever in its step each sample lies.
 float step_length_m(float distance_m, float stretch_m) {
-  if (volume_kind() != volume_noise) return max(stretch_m / cloud.steps.z, 1.0e-3);
+  if (volume_kind() != volume_noise) return stretch_m / cloud.steps.z;
   return max(cloud.steps.x, cloud.steps.y * distance_m);
 }
 
@@ -44,8 +45,8 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
   float step_m = step_length_m(path.begin, stretch_m);
   float t = path.begin + jitter * step_m;
   int empty = 0;
-  int steps = volume_kind() == volume_noise ? int(cloud.steps.z) : int(cloud.steps.z) + 1;
-  for (int i = 0; i < steps && t < path.end; ++i) {
+  bool layer = volume_kind() == volume_noise;
+  for (int i = 0; i < int(cloud.steps.z) && (t < path.end || !layer); ++i) {
     if (t > path.gap_begin && t < path.gap_end) t = path.gap_end + jitter * step_m;
     vec3 p = ray.origin + ray.direction * t;
     step_m = step_length_m(t, stretch_m);
@@ -57,12 +58,13 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
         continue;
       }
       empty = 0;
-      march = advance(march, light, p, t, density, min(step_m, 2.0 * (path.end - t)), fract(jitter + golden_ratio * float(i)));
+      float length_m = layer ? min(step_m, 2.0 * (path.end - t)) : step_m;
+      march = advance(march, light, p, t, density, length_m, fract(jitter + golden_ratio * float(i)));
       if (march.transmittance < stop_transmittance) {
         march.transmittance = 0.0;
         break;
       }
-    } else if (volume_kind() == volume_noise) {
+    } else if (layer) {
       ++empty;
     }
     t += empty > 4 ? 2.0 * step_m : step_m;

@@ -5,8 +5,10 @@
 #include "render/sky.glsl"
 #include "lib/ground.glsl"
 
+// By the chord: the cosine of a small angle has too few digits in 32 bits.
 vec3 sun_disc(vec3 direction) {
-  if (dot(direction, frame.sun_direction.xyz) < frame.sun_direction.w || frame.sun_irradiance.w <= 0.0) return vec3(0.0);
+  vec3 chord = direction - frame.sun_direction.xyz;
+  if (dot(chord, chord) > frame.sun_direction.w || frame.sun_irradiance.w <= 0.0) return vec3(0.0);
   vec3 through = sky_kind() == sky_clear ? space_transmittance(camera_altitude_m(), direction.z) : vec3(1.0);
   return frame.sun_irradiance.xyz * frame.sun_irradiance.w * through;
 }
@@ -29,5 +31,6 @@ PassOutput shade(ivec2 pixel) {
   if (ray.valid == 0.0) return PassOutput(vec4(0.0), vec4(0.0));
   vec2 hit = intersect_altitude(ray.origin, ray.direction, 0.0);
   if (frame.ground.x > 0.0 && hit.x <= hit.y && hit.y > 0.0) return ground(ray, max(hit.x, 0.0));
-  return PassOutput(vec4(sky_radiance(ray.direction) + sun_disc(ray.direction), 0.0), vec4(no_hit_m));
+  vec3 radiance = sky_radiance(ray.direction) + sun_disc(ray.direction);
+  return PassOutput(vec4(min(radiance, vec3(frame.accumulation.y)), 0.0), vec4(no_hit_m));
 }

@@ -7,10 +7,11 @@
 /* camera_right, camera_up, camera_forward: world directions; camera_forward.w: camera altitude, m.
    lens: tangent of half the vertical field of view, orthographic width (m), subpixel jitter x, y.
    size: width, height, lens kind, march divisor. sample: index of the sample, seed of the noise, radiance content?, dither?
-   sun_direction: towards the sun, cosine of its angular radius. sun_irradiance: above the atmosphere, 1 / solid angle or 0.
+   sun_direction: towards the sun, square of the chord of its angular radius. sun_irradiance: above the atmosphere, 1 / solid angle or 0.
    sky: radiance of a uniform sky, kind as core's SkyKind. atmosphere: haze, unused...
    ground_albedo: rgb, variation. ground: kind, fields' offset east and north (m), 0.
-   display: 2^exposure, tone curve, 0, 0. accumulation: weight of the new sample, 0, 0, 0. */
+   display: 2^exposure, tone curve, 0, 0. accumulation: weight of the new sample, greatest radiance that the
+   targets hold, 0, 0. */
 #define FRAME_FIELDS(F) \
   F(vec4, camera_right) \
   F(vec4, camera_up) \

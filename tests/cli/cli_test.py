@@ -1,0 +1,174 @@
+"""The commands `cloudscape still`, `bake`, `devices` and `list` as processes: files, exit codes, and what they say.
+
+Usage: cli_test.py <cloudscape> [unittest options]. Exit codes: 0 done, 1 failed, 2 wrong usage.
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "cloudscape").resolve()
+MAGIC = {"png": b"\x89PNG\r\n\x1a\n", "jpg": b"\xff\xd8\xff", "exr": b"\x76\x2f\x31\x01"}
+FEW_CELLS = ", ".join(['{"frequency": 4, "octaves": 2}'] * 4)
+DOCUMENT = '{"volume": {"resolution": 16}, "detail": {"resolution": 16}, "noise": {"channels": [' + FEW_CELLS + ']}, "seed": %d}'
+SMALL = ["--width", "32", "--height", "18", "--quality", "draft"]
+
+
+class CliTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.sky = self.write("sky.json", DOCUMENT % 1)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return str(path)
+
+    def run_program(self, *arguments):
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("CLOUDSCAPE_")}
+        environment["XDG_CACHE_HOME"] = str(self.folder / "cache")
+        return subprocess.run([PROGRAM, *arguments], cwd=self.folder, env=environment, timeout=60, text=True,
+                              capture_output=True)
+
+    def still(self, cloudscape, output, *options):
+        return self.run_program("still", cloudscape, "-o", output, *SMALL, *options)
+
+    def assert_done(self, result):
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def assert_one_sentence(self, result, code, *parts):
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stdout, "")
+        said = [line for line in result.stderr.splitlines() if not line.startswith("baking")]
+        self.assertEqual(len(said), 1, result.stderr)
+        self.assertTrue(said[0].startswith("cloudscape: "), said)
+        for part in parts:
+            self.assertIn(part, said[0])
+
+    def bakes(self):
+        return sorted((self.folder / "cache" / "cloudscape").glob("*.bake"))
+
+
+class Still(CliTest):
+    def test_each_format_has_its_magic(self):
+        for extension, magic in MAGIC.items():
+            self.assert_done(self.still(self.sky, f"picture.{extension}"))
+            self.assertTrue((self.folder / f"picture.{extension}").read_bytes().startswith(magic), extension)
+
+    def test_two_runs_make_the_same_bytes_and_the_second_does_not_bake(self):
+        first = self.still(self.sky, "a.png")
+        self.assert_done(first)
+        self.assertIn("baking 16^3 texels: 100 %", first.stderr)
+        second = self.still(self.sky, "b.png")
+        self.assert_done(second)
+        self.assertEqual(second.stderr, "")
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        self.assert_done(self.still(self.sky, "c.png", "--azimuth-deg", "90"))
+        self.assertNotEqual((self.folder / "a.png").read_bytes(), (self.folder / "c.png").read_bytes())
+
+    def test_a_damaged_cache_is_told_once_and_baked_anew(self):
+        self.assert_done(self.still(self.sky, "a.png"))
+        (bake,) = self.bakes()
+        whole = bake.read_bytes()
+        bake.write_bytes(whole[:2000] + bytes([whole[2000] ^ 1]) + whole[2001:])
+        again = self.still(self.sky, "b.png")
+        self.assert_done(again)
+        self.assertEqual(again.stderr.count("damaged"), 1, again.stderr)
+        self.assertIn("baking", again.stderr)
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        self.assertEqual(bake.read_bytes(), whole)
+        self.assertEqual(self.still(self.sky, "c.png").stderr, "")
+
+    def test_a_cache_that_cannot_be_written_is_told_and_does_no_harm(self):
+        self.write("file", "")
+        result = self.still(self.sky, "a.png", "--cache-dir", str(self.folder / "file" / "cache"))
+        self.assert_done(result)
+        self.assertEqual(result.stderr.count("--cache-dir"), 1, result.stderr)
+        self.assertTrue((self.folder / "a.png").exists())
+
+
+class StillRefuses(CliTest):
+    def test_an_unknown_cloudscape_and_names_the_nearest(self):
+        self.assert_one_sentence(self.still("fair-wether-cumulus", "a.png"), 1, "fair-wether-cumulus",
+                                 "fair-weather-cumulus")
+
+    def test_a_missing_document(self):
+        self.assert_one_sentence(self.still("nowhere/sky.json", "a.png"), 1, "nowhere/sky.json")
+
+    def test_a_broken_document_with_the_place(self):
+        broken = self.write("broken.json", '{"volume": {"resolution": 16},\n "sun": {')
+        self.assert_one_sentence(self.still(broken, "a.png"), 2, broken, "line 2")
+        wrong = self.write("wrong.json", '{"medium": {"extinction_per_m": -1}}')
+        self.assert_one_sentence(self.still(wrong, "a.png"), 2, wrong, "/medium/extinction_per_m", "-1")
+        unknown = self.write("unknown.json", '{"medium": {"extinction": 1}}')
+        self.assert_one_sentence(self.still(unknown, "a.png"), 2, unknown, "/medium/extinction")
+
+    def test_bad_numbers_with_their_option(self):
+        self.assert_one_sentence(self.still(self.sky, "a.png", "--time-s", "soon"), 2, "time", "soon")
+        self.assert_one_sentence(self.still(self.sky, "a.png", "--elevation-deg", "91"), 2, "elevation", "91")
+        self.assert_one_sentence(self.still(self.sky, "a.png", "--position", "1,2"), 2, "position")
+
+    def test_names_and_folders_it_cannot_write(self):
+        self.assert_one_sentence(self.still(self.sky, "a.gif"), 2, "--output", "a.gif", ".png")
+        self.assert_one_sentence(self.still(self.sky, "nowhere/a.png"), 1, "nowhere/a.png")
+        self.assertEqual(list(self.folder.glob("**/*.gif")), [])
+
+    def test_devices_that_are_not_there(self):
+        self.assert_one_sentence(self.still(self.sky, "a.png", "--egl-device", "99"), 2, "99")
+        self.assert_one_sentence(self.still(self.sky, "a.png", "--pass-execution", "cpu"), 2, "cpu", "compute")
+
+    def test_wrong_usage_with_code_2(self):
+        for arguments in (["still"], ["still", self.sky], ["paint"], [], ["still", self.sky, "-o", "a.png", "--what"]):
+            result = self.run_program(*arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertNotEqual(result.stderr, "", arguments)
+
+
+class Bake(CliTest):
+    def test_writes_the_textures_and_fills_the_cache(self):
+        result = self.run_program("bake", self.sky, "--out", "textures")
+        self.assert_done(result)
+        self.assertIn("textures/shape.exr", result.stdout)
+        for name in ("shape.exr", "detail.exr"):
+            self.assertTrue((self.folder / "textures" / name).read_bytes().startswith(MAGIC["exr"]), name)
+        self.assertEqual(len(self.bakes()), 1)
+        self.assertEqual(self.still(self.sky, "a.png").stderr, "")
+
+    def test_another_seed_is_another_bake(self):
+        self.assert_done(self.run_program("bake", self.sky))
+        self.assert_done(self.run_program("bake", self.write("other.json", DOCUMENT % 2)))
+        self.assertEqual(len(self.bakes()), 2)
+
+    def test_refuses_a_folder_that_is_a_file(self):
+        blocked = self.write("textures", "")
+        self.assert_one_sentence(self.run_program("bake", self.sky, "--out", blocked), 1, blocked)
+
+
+class Lists(CliTest):
+    def test_devices_has_a_line_a_device_and_one_that_works(self):
+        result = self.run_program("devices")
+        self.assert_done(result)
+        self.assertRegex(result.stdout, r"(?i)llvmpipe|softpipe|nvidia|amd|radeon|intel")
+
+    def test_list_names_each_preset_with_a_sentence(self):
+        result = self.run_program("list")
+        self.assert_done(result)
+        presets = {file.stem for file in (pathlib.Path(__file__).parents[2] / "config/cloudscapes").glob("*.json")}
+        self.assertEqual({line.split()[0] for line in result.stdout.splitlines()}, presets)
+        for line in result.stdout.splitlines():
+            self.assertRegex(line, r"^[a-z0-9-]+ +[A-Z].*\.$")
+
+    def test_help_and_version(self):
+        self.assertRegex(self.run_program("--version").stdout, r"^cloudscape \d+\.\d+\.\d+\n$")
+        help_text = self.run_program("still", "--help")
+        self.assert_done(help_text)
+        for option in ("--elevation-deg", "--quality", "--egl-device", "--output"):
+            self.assertIn(option, help_text.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
