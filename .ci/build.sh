@@ -2,6 +2,7 @@
 # shellcheck shell=bash
 
 log_folder=build/logs
+installed_packages=no
 
 say() { printf '%s: %s\n' "${program:?}" "$*" >&2; }
 fail() {
@@ -47,6 +48,7 @@ install_missing() {
     tail -n 5 "$log" >&2
     fail "apt-get could not install the missing packages; the whole log is $log"
   fi
+  installed_packages=yes
 }
 
 # build_jobs: a compiler a core, as far as memory allows. tuned: 1.2 GiB a compiler, what g++ 12 takes for a file full of JSON
@@ -74,10 +76,11 @@ show_errors() {
   grep -A 8 -m 5 -E "$1" "$2" >&2 || tail -n 10 "$2" >&2
 }
 
-# configure_preset NAME: only where that was not done yet; afterwards ninja sees by itself what changed, but not in the presets.
+# configure_preset NAME: where that was not done yet. Afterwards ninja sees by itself what changed, but not the presets nor programs
+# that were missing when CMake looked for them.
 configure_preset() {
   local folder=build/$1 log=$log_folder/$1-configure.log
-  [[ ! -e $folder/build.ninja || CMakePresets.json -nt $folder/build.ninja ]] || return 0
+  if [[ -e $folder/build.ninja && $folder/build.ninja -nt CMakePresets.json && $installed_packages == no ]]; then return; fi
   say "configuring and building $folder; the first time takes some minutes"
   if ! cmake --preset "$1" >"$log" 2>&1; then
     show_errors 'CMake Error' "$log"

@@ -10,4 +10,5 @@ viewer_packages="libsdl2-dev"
 runtime_packages="libwebsockets17 libssl3 libturbojpeg0 libpng16-16 libopenexr-3-1-30 libspdlog1.10 libfmt9
   libglvnd0 libegl1 libopengl0 libegl-mesa0 libgl1-mesa-dri"
 test_packages="libgtest-dev libgmock-dev ccache clang-format universal-ctags shellcheck python3 git curl ca-certificates
-  chromium fonts-dejavu-core"
+  valgrind libc6-dbg chromium fonts-dejavu-core"
+node_packages="nodejs npm"

@@ -11,7 +11,7 @@ namespace cloudscape::bake {
 constexpr int variation_resolution = 128;  // of the variation map, texels a side
 
 struct BakeRecipe {
-  int version = 2;  // of the baking shaders: raise it when they change what they make
+  int version = 3;  // of the baking shaders: raise it when they change what they make
   std::uint32_t seed = 1;
   int resolution = 128;
   double height_over_width = 0.2;  // of the volume: cells of the noise are about as high as wide

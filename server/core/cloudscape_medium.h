@@ -65,7 +65,8 @@ struct LightFunction {
 };
 
 struct Medium {
-  double extinction_per_m = 0.04;
+  double extinction_per_m = 0.06;  // 0.4 g/m3 of water in droplets of 10 um: 3 LWC Qext / (4 rho r)
+ 
   double single_scattering_albedo = 1.0;
   double ambient = 1.0;
   Phase phase;

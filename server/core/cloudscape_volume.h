@@ -21,7 +21,7 @@ struct EnumNames<VolumeKind> {
 struct Volume {
   VolumeKind kind = VolumeKind::noise;
   glm::dvec3 origin_m{0.0, 0.0, 1000.0};
-  glm::dvec3 size_m{8000.0, 8000.0, 1600.0};
+  glm::dvec3 size_m{8000.0, 8000.0, 2000.0};
   int resolution = 128;
   bool tiling = true;
   bool operator==(const Volume&) const = default;
@@ -65,8 +65,8 @@ struct NoiseChannel {
 };
 
 struct Noise {
-  std::array<NoiseChannel, 4> channels{NoiseChannel{1.0, 4, 4, 2, 0.5, 1.0}, NoiseChannel{1.0, 8, 3, 2, 0.5, 0.25},
-                                       NoiseChannel{1.0, 16, 3, 2, 0.5, 0.12}, NoiseChannel{1.0, 32, 2, 2, 0.5, 0.06}};
+  std::array<NoiseChannel, 4> channels{NoiseChannel{0.7, 4, 3, 2, 0.45, 1.0}, NoiseChannel{1.0, 16, 3, 2, 0.5, 0.9},
+                                       NoiseChannel{1.0, 32, 2, 2, 0.5, 0.5}, NoiseChannel{1.0, 64, 1, 2, 0.5, 0.3}};
   bool operator==(const Noise&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -106,7 +106,7 @@ struct Shape {
   double height_fall = 4.0;
   double coverage = 0.45;
   std::optional<double> threshold;
-  double edge_softness = 0.06;
+  double edge_softness = 0.02;
   CoverageVariation coverage_variation;
   std::vector<Tower> towers;
   bool operator==(const Shape&) const = default;
@@ -129,8 +129,8 @@ struct Detail {
   int resolution = 32;
   int frequency = 4;
   int octaves = 3;
-  double period_m = 600.0;
-  double strength = 0.08;
+  double period_m = 500.0;
+  double strength = 0.14;
   bool operator==(const Detail&) const = default;
 
   static void fields(auto& self, auto&& visit) {

@@ -21,6 +21,7 @@ struct RenderQuality {
   int march_divisor = 1;      // clouds are marched at 1/n of the width and height
   int samples = 1;            // jittered pictures that are averaged
   bool float32 = false;       // 32 bit HDR targets instead of 16
+  bool smooth = false;        // a 3x3 mean instead of samples; for 16 bit targets
   bool operator==(const RenderQuality&) const = default;
 };
 
@@ -29,11 +30,16 @@ struct RenderQuality {
 // find.
 constexpr RenderQuality render_quality(Quality quality) {
   switch (quality) {
-    case Quality::draft: return {96, 70.0, 0.035, 4, 2, 1, false};
-    case Quality::interactive: return {144, 45.0, 0.025, 5, 1, 1, false};
-    case Quality::standard: return {256, 22.0, 0.016, 6, 1, 12, false};
-    case Quality::high: return {400, 12.0, 0.011, 8, 1, 32, false};
-    case Quality::reference: return {1024, 8.0, 0.004, 24, 1, 64, true};
+    case Quality::draft:
+      return {96, 70.0, 0.035, 4, 2, 1, false, true};
+    case Quality::interactive:
+      return {144, 45.0, 0.025, 5, 1, 1, false, true};
+    case Quality::standard:
+      return {256, 22.0, 0.016, 6, 1, 12, false};
+    case Quality::high:
+      return {400, 12.0, 0.011, 8, 1, 32, false};
+    case Quality::reference:
+      return {1024, 8.0, 0.004, 24, 1, 64, true};
   }
   return {};
 }

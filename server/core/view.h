@@ -54,7 +54,7 @@ struct EnumNames<ToneCurve> {
 
 struct Display {
   double exposure_ev = 1.5;  // a sunlit cloud top, about 0.5 in solar units, comes out nearly white
-  ToneCurve tone_curve = ToneCurve::agx;
+  ToneCurve tone_curve = ToneCurve::aces;
   bool dither = true;
   bool operator==(const Display&) const = default;
 

@@ -11,6 +11,7 @@ Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
             ScreenPass(context, shaders, "render/march.glsl", {Format::rgba16f, Format::rg32f})},
       full_{ScreenPass(context, shaders, "render/scene.glsl", {Format::rgba32f, Format::r32f}),
             ScreenPass(context, shaders, "render/march.glsl", {Format::rgba32f, Format::rg32f})},
+      smooth_(context, shaders, "render/smooth.glsl", {Format::rgba16f, Format::rg32f}),
       composite_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f}),
       tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}) {}
 
@@ -34,8 +35,13 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const bake
 }
 
 void Passes::composite(const Targets& targets, const Accumulation& previous) const {
-  const Binding textures[] = {{0, &targets.scene_radiance}, {1, &targets.scene_depth}, {2, &targets.march_radiance},
-                              {3, &targets.march_depth},    {4, &previous.radiance},   {5, &previous.depth}};
+  if (targets.smooth) {
+    const Binding march[] = {{0, &targets.march_radiance}, {1, &targets.march_depth}};
+    const Texture* smooth[] = {&targets.smooth_radiance, &targets.smooth_depth};
+    smooth_.run({0, 0, targets.march_radiance.width(), targets.march_radiance.height()}, smooth, march);
+  }
+  const Binding textures[] = {{0, &targets.scene_radiance}, {1, &targets.scene_depth}, {2, &targets.clouds()},
+                              {3, &targets.clouds_depth()}, {4, &previous.radiance},   {5, &previous.depth}};
   const Texture* output[] = {&targets.scratch.radiance, &targets.scratch.depth};
   composite_.run({0, 0, targets.size.width, targets.size.height}, output, textures);
 }
@@ -47,7 +53,7 @@ void Passes::tone_map(const Targets& targets, const Accumulation& accumulation) 
 }
 
 void Passes::reload(gpu::ShaderLibrary& shaders) {
-  for (ScreenPass* pass : {&half_.scene, &half_.march, &full_.scene, &full_.march, &composite_, &tone_map_})
+  for (ScreenPass* pass : {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_, &tone_map_})
     pass->reload(shaders);
 }
 

@@ -1,4 +1,4 @@
-// The screen passes of a frame, in their order: scene, march, composite, tone map.
+// The screen passes of a frame, in their order: scene, march, smooth (moving pictures), composite, tone map.
 #pragma once
 #include "bake/baked_cloudscape.h"
 #include "gpu/pass.h"
@@ -23,7 +23,7 @@ class Passes {
     gpu::ScreenPass scene, march;
   };
   Precision half_, full_;
-  gpu::ScreenPass composite_, tone_map_;
+  gpu::ScreenPass smooth_, composite_, tone_map_;
 };
 
 }  // namespace cloudscape::render

@@ -62,7 +62,7 @@ bool Renderer::advance(RenderJob& job) {
     }
   }
   if (!job.targets) {
-    job.targets = pool_.acquire(job.request.size_px, job.request.quality.march_divisor, job.request.quality.float32);
+    job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
   }
   render_rows(job);

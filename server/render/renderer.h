@@ -47,7 +47,7 @@ class Renderer {
   Frame collect(PendingFrame pending) const;  // waits if it is not ready
   Frame render(const FrameRequest& request);  // all of the above
   void abandon(std::unique_ptr<RenderJob> job);
-  void forget(StreamId stream);  // frees what is kept to continue the stream's average
+  void forget(StreamId stream);              // frees what is kept to continue the stream's average
   std::vector<StreamId> remembered() const;  // streams that something is kept for
   void reload_shaders();
   std::size_t history_bytes() const;

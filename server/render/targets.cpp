@@ -11,16 +11,27 @@ constexpr std::size_t most_free = 4;  // tuned: sizes that alternate without bei
 
 int divided(int length, int divisor) { return (length + divisor - 1) / divisor; }
 
-std::unique_ptr<Targets> make_targets(ImageSize size, int divisor, bool float32) {
+Texture march_target(Format format, int width, int height, const char* label) {
+  Texture texture(format, width, height, label);
+  texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
+  return texture;
+}
+
+std::unique_ptr<Targets> make_targets(ImageSize size, int divisor, bool float32, bool smooth) {
   const Format hdr = float32 ? Format::rgba32f : Format::rgba16f;
-  const int march_width = divided(size.width, divisor), march_height = divided(size.height, divisor);
-  auto targets = std::make_unique<Targets>(
-      Targets{size, divisor, float32, Texture(hdr, size.width, size.height, "scene radiance"),
-              Texture(Format::r32f, size.width, size.height, "scene depth"),
-              Texture(hdr, march_width, march_height, "march radiance"),
-              Texture(Format::rg32f, march_width, march_height, "march depth"),
-              Texture(Format::rgba8, size.width, size.height, "display"), make_accumulation(size)});
-  targets->march_radiance.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
+  const int width = divided(size.width, divisor), height = divided(size.height, divisor);
+  auto targets = std::make_unique<Targets>();
+  targets->size = size, targets->march_divisor = divisor, targets->float32 = float32, targets->smooth = smooth;
+  targets->scene_radiance = Texture(hdr, size.width, size.height, "scene radiance");
+  targets->scene_depth = Texture(Format::r32f, size.width, size.height, "scene depth");
+  targets->march_radiance = march_target(hdr, width, height, "march radiance");
+  targets->march_depth = Texture(Format::rg32f, width, height, "march depth");
+  if (smooth) {
+    targets->smooth_radiance = march_target(hdr, width, height, "smooth radiance");
+    targets->smooth_depth = Texture(Format::rg32f, width, height, "smooth depth");
+  }
+  targets->display = Texture(Format::rgba8, size.width, size.height, "display");
+  targets->scratch = make_accumulation(size);
   return targets;
 }
 
@@ -31,12 +42,14 @@ Accumulation make_accumulation(ImageSize size) {
           Texture(Format::r32f, size.width, size.height, "accumulated depth")};
 }
 
-std::unique_ptr<Targets> TargetPool::acquire(ImageSize size, int march_divisor, bool float32) {
+std::unique_ptr<Targets> TargetPool::acquire(ImageSize size, const RenderQuality& quality) {
+  const bool smooth = quality.smooth && !quality.float32;
   const auto fits = [&](const std::unique_ptr<Targets>& targets) {
-    return targets->size == size && targets->march_divisor == march_divisor && targets->float32 == float32;
+    return targets->size == size && targets->march_divisor == quality.march_divisor &&
+           targets->float32 == quality.float32 && targets->smooth == smooth;
   };
   const auto found = std::find_if(free_.begin(), free_.end(), fits);
-  if (found == free_.end()) return make_targets(size, march_divisor, float32);
+  if (found == free_.end()) return make_targets(size, quality.march_divisor, quality.float32, smooth);
   auto targets = std::move(*found);
   free_.erase(found);
   return targets;

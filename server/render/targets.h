@@ -20,13 +20,17 @@ struct Targets {
   ImageSize size;
   int march_divisor = 1;
   bool float32 = false;
-  gpu::Texture scene_radiance, scene_depth, march_radiance, march_depth, display;
+  bool smooth = false;
+  gpu::Texture scene_radiance, scene_depth, march_radiance, march_depth, smooth_radiance, smooth_depth, display;
   Accumulation scratch;
+  // What the composite reads of the march.
+  const gpu::Texture& clouds() const { return smooth ? smooth_radiance : march_radiance; }
+  const gpu::Texture& clouds_depth() const { return smooth ? smooth_depth : march_depth; }
 };
 
 class TargetPool {
  public:
-  std::unique_ptr<Targets> acquire(ImageSize size, int march_divisor, bool float32);
+  std::unique_ptr<Targets> acquire(ImageSize size, const RenderQuality& quality);
   void release(std::unique_ptr<Targets> targets);
   std::size_t size() const { return free_.size(); }
 

@@ -20,23 +20,24 @@ float channel(vec3 position, ivec4 lattice, vec4 blend, uint salt) {
   return mix(stretch(perlin, 0.25, 0.75), stretch(worley, 0.3, 0.95), blend.x);
 }
 
-float towers_offset(vec3 position) {
+// `shape`: the noise at the position, 0..1. tuned: it pushes a tower's surface up by a third and down by a half, so that turrets
+// bulge as the clouds around them do; a plain bell looks like a mountain.
+float towers_offset(vec3 position, float shape) {
   float offset = 0.0;
+  float height = position.z / mix(0.45, 1.3, shape);
   for (int i = 0; i < int(bake.profile.z); ++i) {
     vec4 bell = texelFetch(towers, ivec2(2 * i, 0), 0);
     float strength = texelFetch(towers, ivec2(2 * i + 1, 0), 0).x;
-    offset += tower_offset(position.xy, position.z, bell.xy, bell.z, bell.w, strength);
+    offset += tower_offset(position.xy, height, bell.xy, bell.z, bell.w, strength);
   }
-  return offset;
+  return offset * mix(0.35, 1.0, shape);
 }
 
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, volume_pass.z_begin);
   vec3 position = (vec3(texel) + 0.5) / vec3(bake.size.xyz);
   float shape = channel(position, bake.channel_0, bake.mix_0, 0u);
-  // tuned: a tower is two fifths solid, the rest follows the noise, so that it keeps the texture of the clouds around it.
-  shape = shape * height_distribution(position.z, bake.profile.x, bake.profile.y) +
-          mix(0.4, 1.0, shape) * towers_offset(position);
+  shape = shape * height_distribution(position.z, bake.profile.x, bake.profile.y) + towers_offset(position, shape);
   imageStore(target, texel, vec4(shape, channel(position, bake.channel_1, bake.mix_1, 1u),
                                  channel(position, bake.channel_2, bake.mix_2, 2u),
                                  channel(position, bake.channel_3, bake.mix_3, 3u)));

@@ -28,9 +28,9 @@ float step_length_m(float distance_m, float stretch_m) {
 }
 
 // One step through medium of this density.
-March advance(March march, RayLight light, vec3 p, float distance_m, float density, float step_m) {
+March advance(March march, RayLight light, vec3 p, float distance_m, float density, float step_m, float jitter) {
   vec2 segment = integrate_segment(density * cloud.medium.x, step_m);
-  march.radiance += march.transmittance * density * segment.x * source_radiance(light, p);
+  march.radiance += march.transmittance * density * segment.x * source_radiance(light, p, jitter);
   float absorbed = march.transmittance * (1.0 - segment.y);
   march.weighted_distance_m += absorbed * distance_m;
   march.weight += absorbed;
@@ -58,7 +58,8 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
         continue;
       }
       empty = 0;
-      march = advance(march, light, p, t, density, layer ? min(step_m, 2.0 * (path.end - t)) : step_m);
+      float piece_m = layer ? min(step_m, 2.0 * (path.end - t)) : step_m;
+      march = advance(march, light, p, t, density, piece_m, fract(jitter + golden_ratio * float(i)));
       if (march.transmittance < stop_transmittance) {
         march.transmittance = 0.0;
         break;
@@ -72,10 +73,10 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
 }
 
 // Beam and diffuse light together: transmittance of a conservative slab by the two-stream equations (Bohren 1987).
-float ground_visibility(CameraRay ray, float distance_m) {
+float ground_visibility(CameraRay ray, float distance_m, float jitter) {
   if (frame.sun_direction.z <= 0.02 || volume_kind() != volume_noise) return 1.0;
   float g = cloud.medium.w <= 1.0 ? max(cloud.phase.x, 0.0) : 0.0;
-  float optical_depth = sun_optical_depth(ray.origin + ray.direction * distance_m);
+  float optical_depth = sun_optical_depth(ray.origin + ray.direction * distance_m, jitter);
   return 1.0 / (1.0 + 0.75 * (1.0 - g) * optical_depth);
 }
 
@@ -84,7 +85,7 @@ PassOutput shade(ivec2 march_pixel) {
   vec2 pixel = (vec2(march_pixel) + 0.5) * float(divisor);
   CameraRay ray = camera_ray(pixel);
   float depth_m = texelFetch(scene_depth, min(ivec2(pixel), frame.size.xy - 1), 0).x;
-  float visibility = depth_m < no_hit_m && depth_m > 0.0 ? ground_visibility(ray, depth_m) : 1.0;
+  float visibility = depth_m < no_hit_m && depth_m > 0.0 ? ground_visibility(ray, depth_m, step_jitter(march_pixel)) : 1.0;
   Stretch path = medium_stretch(ray.origin, ray.direction);
   path.end = min(min(path.end, depth_m), cloud.march.y);
   if (ray.valid == 0.0 || path.end <= path.begin || cloud.medium.x <= 0.0)

@@ -72,6 +72,12 @@ class RunTest(unittest.TestCase):
             self.run_script()
         self.assertEqual([call.split()[0] for call in self.calls("cmake")], ["--preset", "--build", "--build"])
 
+    def test_configures_again_where_something_was_missing(self):
+        self.run_script()
+        self.set_installed(self.needed[1:])
+        self.run_script()
+        self.assertEqual([call.split()[0] for call in self.calls("cmake")], ["--preset", "--build"] * 2)
+
     def test_installs_what_is_missing_and_only_that(self):
         self.set_installed(package for package in self.needed if package not in ("cmake", "libssl-dev"))
         done = self.run_script()

@@ -2,17 +2,17 @@
 import { connect } from 'node:net';
 
 // Sends `parts` (a number is a pause in ms) and collects what comes until the server closes or `timeout_ms` is over.
-export function exchange(port, parts, { timeout_ms = 3000, until = () => false, local } = {}) {
+export function exchange(port, parts, { timeout_ms = 3000, until = () => false, local, read_after_ms = 0 } = {}) {
   return new Promise(resolve => {
     const socket = connect({ port, host: '127.0.0.1', localAddress: local });
     const started = Date.now();
-    let received = Buffer.alloc(0), ended = false;
+    let received = Buffer.alloc(0), ended = false, error = null;
     const done = closed => {
       if (ended) return;
       ended = true;
       clearTimeout(timer);
       socket.destroy();
-      resolve({ text: received.toString('latin1'), bytes: received, closed, after_ms: Date.now() - started });
+      resolve({ text: received.toString('latin1'), bytes: received, closed, error, after_ms: Date.now() - started });
     };
     const timer = setTimeout(() => done(false), timeout_ms);
     socket.on('data', data => {
@@ -20,8 +20,12 @@ export function exchange(port, parts, { timeout_ms = 3000, until = () => false, 
       if (until(received.toString('latin1'))) done(false);
     });
     socket.on('close', () => done(true));
-    socket.on('error', () => done(true));
+    socket.on('error', ({ code }) => { error = code; done(true); });
     socket.on('connect', async () => {
+      if (read_after_ms) {
+        socket.pause();
+        setTimeout(() => socket.resume(), read_after_ms);
+      }
       for (const part of [parts].flat()) {
         if (ended) return;
         if (typeof part === 'number') await new Promise(next => setTimeout(next, part));

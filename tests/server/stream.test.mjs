@@ -120,6 +120,17 @@ for (const [what, messages, code] of breaches) {
   }));
 }
 
+test('the close arrives however many messages are behind it', async () => {
+  for (let i = 0; i < 12; ++i) {
+    await with_viewer(async viewer => {
+      viewer.hello(hello);
+      await viewer.message('welcome');
+      for (let n = 0; n < 40; ++n) viewer.socket.send('{"type":"settings","quality":"best"}');
+      assert.equal((await viewer.closed).code, 1008);
+    });
+  }
+});
+
 test('numbers that are no poses are answered, and the stream goes on', () => with_viewer(async viewer => {
   viewer.hello(hello);
   await viewer.message('welcome');
