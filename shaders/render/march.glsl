@@ -58,8 +58,8 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
         continue;
       }
       empty = 0;
-      float piece_m = layer ? min(step_m, 2.0 * (path.end - t)) : step_m;
-      march = advance(march, light, p, t, density, piece_m, fract(jitter + golden_ratio * float(i)));
+      float length_m = layer ? min(step_m, 2.0 * (path.end - t)) : step_m;
+      march = advance(march, light, p, t, density, length_m, fract(jitter + golden_ratio * float(i)));
       if (march.transmittance < stop_transmittance) {
         march.transmittance = 0.0;
         break;

@@ -73,7 +73,7 @@ TEST_F(BakeAgreement, OfTheShapeTexture) {
 TEST_F(BakeAgreement, OfADeepTileWithoutTowers) {
   BakeRecipe recipe = small_recipe();
   recipe.towers.clear();
-  recipe.height_over_width = 2.6;  // lattices that are no power of two high
+  recipe.height_over_width = 2.7;  // 11 and 5 cells high: whole numbers, and no powers of two
   recipe.height_rise = 3;
   recipe.height_fall = 0;
   expect_agreement(recipe, bake(recipe).shape, 5);
