@@ -21,15 +21,20 @@ float mixed_shape(const std::uint8_t* texel, const std::array<double, 3>& weight
   return static_cast<float>(texel[0] / 255.0 * modulation);
 }
 
-std::vector<float> sorted_column_maxima(const std::vector<std::uint8_t>& shape, std::size_t columns,
-                                        const std::array<double, 3>& weights) {
-  std::vector<float> maxima(columns, 0.0F);
+BakedCloudscape::Extent extent_of(const std::vector<std::uint8_t>& shape, int side,
+                                  const std::array<double, 3>& weights) {
+  const std::size_t columns = static_cast<std::size_t>(side) * side;
+  BakedCloudscape::Extent extent{std::vector<float>(columns, 0.0F),
+                                 std::vector<float>(static_cast<std::size_t>(side), 0.0F)};
   for (std::size_t texel = 0; texel < shape.size() / 4; ++texel) {
-    float& maximum = maxima[texel % columns];
-    maximum = std::max(maximum, mixed_shape(&shape[4 * texel], weights));
+    const float value = mixed_shape(&shape[4 * texel], weights);
+    float& column = extent.column_maxima[texel % columns];
+    float& slice = extent.slice_maxima[texel / columns];
+    column = std::max(column, value);
+    slice = std::max(slice, value);
   }
-  std::sort(maxima.begin(), maxima.end());
-  return maxima;
+  std::sort(extent.column_maxima.begin(), extent.column_maxima.end());
+  return extent;
 }
 
 }  // namespace
@@ -41,14 +46,30 @@ BakedCloudscape::BakedCloudscape(const BakedTexels& texels)
       variation_(uploaded(Format::rgba16f, variation_resolution, 1, texels.variation, "variation")),
       texels_(texels.shape) {}
 
-double BakedCloudscape::threshold_for(double coverage, const std::array<double, 3>& weights) const {
-  if (column_maxima_.empty() || weights != weights_) {
-    const std::size_t columns = static_cast<std::size_t>(shape_.width()) * shape_.height();
-    column_maxima_ = sorted_column_maxima(texels_, columns, weights);
+const BakedCloudscape::Extent& BakedCloudscape::extent(const std::array<double, 3>& weights) const {
+  if (extent_.slice_maxima.empty() || weights != weights_) {
+    extent_ = extent_of(texels_, shape_.width(), weights);
     weights_ = weights;
   }
-  const double rank = (1 - coverage) * static_cast<double>(column_maxima_.size() - 1);
-  return column_maxima_[static_cast<std::size_t>(rank)];
+  return extent_;
+}
+
+double BakedCloudscape::threshold_for(double coverage, const std::array<double, 3>& weights) const {
+  const std::vector<float>& maxima = extent(weights).column_maxima;
+  return maxima[static_cast<std::size_t>((1 - coverage) * static_cast<double>(maxima.size() - 1))];
+}
+
+HeightRange heights_above(const BakedCloudscape::Extent& extent, double threshold) {
+  const auto exceeds = [threshold](float maximum) { return maximum > threshold; };
+  const auto& slices = extent.slice_maxima;
+  const auto first = std::find_if(slices.begin(), slices.end(), exceeds);
+  if (first == slices.end()) return {1, 0};
+  const auto last = std::find_if(slices.rbegin(), slices.rend(), exceeds);
+  // Between slices the texture is interpolated: half a texel beyond the neighbour's middle, and around the edge.
+  const double texel = 1.0 / static_cast<double>(slices.size());
+  const double low = static_cast<double>(first - slices.begin()) * texel - 0.5 * texel;
+  const double high = static_cast<double>(slices.rend() - last) * texel + 0.5 * texel;
+  return {std::max(0.0, low), std::min(1.0, high)};
 }
 
 }  // namespace cloudscape::bake

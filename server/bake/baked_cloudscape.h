@@ -24,8 +24,13 @@ class BakedCloudscape {
   const gpu::Texture& shape() const { return shape_; }
   const gpu::Texture& detail() const { return detail_; }
   const gpu::Texture& variation() const { return variation_; }
-  // The cut-off above which the share `coverage` of the tile's columns holds cloud, where the finer channels are mixed
-  // into the shape with `weights` as the march does it. In units of the shape channel; remembered for the last weights.
+  // How the march sees the shape where it mixes the finer channels in with `weights`; remembered for the last weights.
+  struct Extent {
+    std::vector<float> column_maxima;  // greatest value of each column, ascending
+    std::vector<float> slice_maxima;   // of each slice, bottom to top
+  };
+  const Extent& extent(const std::array<double, 3>& weights) const;
+  // The cut-off above which the share `coverage` of the tile's columns holds cloud, in units of the shape channel.
   double threshold_for(double coverage, const std::array<double, 3>& weights) const;
   std::size_t bytes() const { return shape_.bytes() + detail_.bytes() + variation_.bytes(); }
 
@@ -33,7 +38,13 @@ class BakedCloudscape {
   gpu::Texture shape_, detail_, variation_;
   std::vector<std::uint8_t> texels_;  // of the shape texture
   mutable std::array<double, 3> weights_{};
-  mutable std::vector<float> column_maxima_;  // each column's greatest shape value for weights_, ascending
+  mutable Extent extent_;
 };
+
+struct HeightRange {
+  double low = 0, high = 1;  // 0..1 of the volume
+};
+// The heights between which any value can exceed the threshold; empty (low > high) where none does.
+HeightRange heights_above(const BakedCloudscape::Extent& extent, double threshold);
 
 }  // namespace cloudscape::bake

@@ -31,9 +31,9 @@ struct RenderQuality {
 constexpr RenderQuality render_quality(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {96, 70.0, 0.035, 4, 2, 1, false, true};
+      return {96, 80.0, 0.04, 4, 2, 1, false, true};
     case Quality::interactive:
-      return {144, 45.0, 0.025, 5, 1, 1, false, true};
+      return {144, 55.0, 0.032, 4, 1, 1, false, true};
     case Quality::standard:
       return {256, 22.0, 0.016, 6, 1, 12, false};
     case Quality::high:

@@ -1,5 +1,6 @@
 // The cloud block: the medium as the march sees it from one camera at one time.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/block_values.h"
@@ -41,18 +42,35 @@ void set_light_function(CloudBlock& block, const LightFunction& light) {
   block.olajos = {light.olajos_attenuation, light.olajos_in_scatter, light.olajos_gain, 0};
 }
 
+std::array<double, 3> weights_of(const Noise& noise) {
+  return {noise.channels[1].weight, noise.channels[2].weight, noise.channels[3].weight};
+}
+
+double threshold_of(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
+  const double mean_erosion = 0.5 * sky.detail.strength;  // shaders/render/medium.glsl
+  if (sky.shape.threshold) return *sky.shape.threshold;
+  return baked.threshold_for(sky.shape.coverage, weights_of(sky.noise)) - mean_erosion;
+}
+
+// Half of how far the threshold swings. tuned: half the threshold is enough to open and close the sky.
+double swing_of(const CoverageVariation& slow) { return slow.amount * 0.25; }
+
+// Altitudes between which there is cloud anywhere.
+glm::dvec2 cloud_altitudes_m(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
+  const Volume& volume = sky.volume;
+  const double lowest_threshold = threshold_of(sky, baked) - swing_of(sky.shape.coverage_variation);
+  const bake::HeightRange range = bake::heights_above(baked.extent(weights_of(sky.noise)), lowest_threshold);
+  return {volume.origin_m.z + range.low * volume.size_m.z, volume.origin_m.z + range.high * volume.size_m.z};
+}
+
 void set_shape(CloudBlock& block, const FrameRequest& request, const bake::BakedCloudscape& baked) {
   const Cloudscape& sky = *request.cloudscape;
   const glm::dvec2 at_m = drifted(request);
   const auto& channels = sky.noise.channels;
-  const double mean_erosion = 0.5 * sky.detail.strength;  // shaders/render/medium.glsl
-  const double threshold = sky.shape.threshold.value_or(
-      baked.threshold_for(sky.shape.coverage, {channels[1].weight, channels[2].weight, channels[3].weight}) -
-      mean_erosion);
   const CoverageVariation& slow = sky.shape.coverage_variation;
   // tuned: half the threshold is enough to open and close the sky; a third of a tile hides repetition without smearing
   // shapes.
-  block.shape = {threshold, sky.shape.edge_softness, slow.amount * 0.5, sky.volume.tiling ? 0.35 : 0.0};
+  block.shape = {threshold_of(sky, baked), sky.shape.edge_softness, 2 * swing_of(slow), sky.volume.tiling ? 0.35 : 0.0};
   block.weights = {1, channels[1].weight, channels[2].weight, channels[3].weight};
   const double period_m = 4 * slow.wavelength_m;  // shaders/bake/variation.comp
   block.variation = {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), 0};
@@ -84,8 +102,10 @@ CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape&
                  static_cast<int>(medium.light_function.kind)};
   set_light_function(block, medium.light_function);
   block.steps = {quality.step_m, quality.step_growth, quality.max_steps, quality.light_steps};
+  const glm::dvec2 altitudes_m = layer ? cloud_altitudes_m(sky, baked) : glm::dvec2(0);
   // tuned: light from farther than this is diffuse anyway; clouds beyond 90 km are lost in the air.
-  block.march = {layer ? std::clamp(1.5 * volume.size_m.z, 800.0, 4000.0) : 1e7, layer ? 9e4 : 1e8, 0, 0};
+  block.march = {layer ? std::clamp(1.5 * volume.size_m.z, 800.0, 4000.0) : 1e7, layer ? 9e4 : 1e8, altitudes_m.x,
+                 altitudes_m.y};
   return block;
 }
 

@@ -10,8 +10,9 @@ const int light_single = 0;
 const int light_olajos = 1;
 
 // Optical depth from p towards the sun. Steps grow with the square of their number: near occluders matter most. `jitter` (0..1)
-// places the samples in their steps: what few samples miss becomes noise, which averages out, and not contours.
-float sun_optical_depth(vec3 p, float jitter) {
+// places the samples in their steps: what few samples miss becomes noise, which averages out, and not contours. `land` is that of
+// p: it hardly changes over the way to the sun.
+float sun_optical_depth(vec3 p, Land land, float jitter) {
   vec3 sun = frame.sun_direction.xyz;
   Stretch path = medium_stretch(p, sun);
   float end_m = min(path.end, cloud.march.x);
@@ -27,7 +28,7 @@ float sun_optical_depth(vec3 p, float jitter) {
     float sample_m = mix(path.begin, end_m, mix(previous, next, jitter));
     // tuned: the two nearest samples see the detail that shades the surface, the others do not.
     float spacing_m = i < 2 ? cloud.erosion.z : cloud.erosion.y;
-    sum_m += density_at(p + sun * sample_m, spacing_m) * (next - previous);
+    sum_m += density_at(p + sun * sample_m, land, spacing_m) * (next - previous);
     previous = next;
   }
   return sum_m * (end_m - path.begin) * cloud.medium.x;
@@ -85,9 +86,9 @@ vec3 ambient(RayLight light, float h) {
 }
 
 // Radiance scattered per metre at density 1.
-vec3 source_radiance(RayLight light, vec3 p, float jitter) {
+vec3 source_radiance(RayLight light, vec3 p, Land land, float jitter) {
   float h = clamp((altitude_of(p) - cloud.layer.x) * cloud.layer.z, 0.0, 1.0);
   vec3 sun = mix(light.sun_bottom, light.sun_top, h);
-  return cloud.medium.y * (sun * sun_scatter(light, sun_optical_depth(p, jitter)) + ambient(light, h));
+  return cloud.medium.y * (sun * sun_scatter(light, sun_optical_depth(p, land, jitter)) + ambient(light, h));
 }
 #endif

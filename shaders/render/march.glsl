@@ -27,12 +27,18 @@ float step_length_m(float distance_m, float stretch_m) {
   return max(cloud.steps.x, cloud.steps.y * distance_m);
 }
 
-// One step through medium of this density.
-March advance(March march, RayLight light, vec3 p, float distance_m, float density, float step_m, float jitter) {
-  vec2 segment = integrate_segment(density * cloud.medium.x, step_m);
-  march.radiance += march.transmittance * density * segment.x * source_radiance(light, p, jitter);
+struct Sample {
+  vec3 position;
+  Land land;
+  float distance_m, density, jitter;
+};
+
+// One step through medium of the sample's density.
+March advance(March march, RayLight light, Sample at, float step_m) {
+  vec2 segment = integrate_segment(at.density * cloud.medium.x, step_m);
+  march.radiance += march.transmittance * at.density * segment.x * source_radiance(light, at.position, at.land, at.jitter);
   float absorbed = march.transmittance * (1.0 - segment.y);
-  march.weighted_distance_m += absorbed * distance_m;
+  march.weighted_distance_m += absorbed * at.distance_m;
   march.weight += absorbed;
   march.transmittance *= segment.y;
   return march;
@@ -50,7 +56,8 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
     if (t > path.gap_begin && t < path.gap_end) t = path.gap_end + jitter * step_m;
     vec3 p = ray.origin + ray.direction * t;
     step_m = step_length_m(t, stretch_m);
-    float density = density_at(p, step_m);
+    Land land = land_at(p);
+    float density = density_at(p, land, step_m);
     if (density > 0.0) {
       if (empty > 4) {  // came with a double step: go back one, so that the edge is not cut
         empty = 0;
@@ -59,7 +66,7 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
       }
       empty = 0;
       float length_m = layer ? min(step_m, 2.0 * (path.end - t)) : step_m;
-      march = advance(march, light, p, t, density, length_m, fract(jitter + golden_ratio * float(i)));
+      march = advance(march, light, Sample(p, land, t, density, fract(jitter + golden_ratio * float(i))), length_m);
       if (march.transmittance < stop_transmittance) {
         march.transmittance = 0.0;
         break;
@@ -76,7 +83,10 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
 float ground_visibility(CameraRay ray, float distance_m, float jitter) {
   if (frame.sun_direction.z <= 0.02 || volume_kind() != volume_noise) return 1.0;
   float g = cloud.medium.w <= 1.0 ? max(cloud.phase.x, 0.0) : 0.0;
-  float optical_depth = sun_optical_depth(ray.origin + ray.direction * distance_m, jitter);
+  vec3 p = ray.origin + ray.direction * distance_m;
+  // The clouds that shade it stand where the sun is, not above it.
+  vec3 above = p + frame.sun_direction.xyz * (cloud.march.z / max(frame.sun_direction.z, 0.05));
+  float optical_depth = sun_optical_depth(p, land_at(above), jitter);
   return 1.0 / (1.0 + 0.75 * (1.0 - g) * optical_depth);
 }
 

@@ -31,20 +31,26 @@ float erosion_at(vec3 p, float h, bool close) {
   return 0.72 * erosion + 0.28 * (1.0 - fine);
 }
 
+// The slow change of coverage over the land at a point: the threshold there, and how far the tile is shifted (tiles).
+struct Land {
+  float threshold;
+  vec2 shift;
+};
+
+Land land_at(vec3 p) {
+  if (cloud.shape.z <= 0.0) return Land(cloud.shape.x, vec2(0.0));
+  vec3 slow = texture(variation_texture, vec3(p.xy * cloud.variation.x + cloud.variation.yz, 0.5)).xyz;
+  return Land(cloud.shape.x + cloud.shape.z * (slow.x - 0.5), cloud.shape.w * (slow.yz - 0.5));
+}
+
 // Density 0..1 of a noise volume, sampled every `spacing_m`: what is finer is left out.
-float noise_density(vec3 p, float spacing_m) {
+float noise_density(vec3 p, Land land, float spacing_m) {
   float h = (altitude_of(p) - cloud.layer.x) * cloud.layer.z;
   if (h <= 0.0 || h >= 1.0) return 0.0;
   vec2 tile = p.xy * cloud.tile.xy + cloud.tile.zw;
   if (cloud.box_low.w == 0.0 && (tile.x < 0.0 || tile.x > 1.0 || tile.y < 0.0 || tile.y > 1.0)) return 0.0;
-  float threshold = cloud.shape.x;
-  if (cloud.shape.z > 0.0) {
-    vec3 slow = texture(variation_texture, vec3(p.xy * cloud.variation.x + cloud.variation.yz, 0.5)).xyz;
-    threshold += cloud.shape.z * (slow.x - 0.5);
-    tile += cloud.shape.w * (slow.yz - 0.5);
-  }
-  vec4 noise = texture(shape_texture, vec3(tile, h));
-  float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5)) - threshold;
+  vec4 noise = texture(shape_texture, vec3(tile + land.shift, h));
+  float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5)) - land.threshold;
   if (value <= 0.0) return 0.0;
   value -= cloud.erosion.x * (spacing_m < cloud.erosion.y ? erosion_at(p, h, spacing_m < cloud.erosion.z) : mean_erosion);
   // tuned: shape noise changes by about this much a metre, so that samples far apart do not fall through thin edges.
@@ -52,8 +58,8 @@ float noise_density(vec3 p, float spacing_m) {
   return clamp(value / (cloud.shape.y + shape_per_m * min(spacing_m, 400.0)), 0.0, 1.0);
 }
 
-float density_at(vec3 p, float spacing_m) {
-  if (volume_kind() == volume_noise) return noise_density(p, spacing_m);
+float density_at(vec3 p, Land land, float spacing_m) {
+  if (volume_kind() == volume_noise) return noise_density(p, land, spacing_m);
   if (volume_kind() != volume_gaussian) return 1.0;  // homogeneous inside its interval
   vec3 d = (p - box_center()) / (0.125 * (cloud.box_high.x - cloud.box_low.x));
   return exp(-0.5 * dot(d, d));
@@ -66,12 +72,12 @@ struct Stretch {
 
 Stretch stretch_of(vec2 interval) { return Stretch(max(interval.x, 0.0), no_hit_m, no_hit_m, interval.y); }
 
-// A layer between two altitudes about the planet; from above a ray can enter it twice.
+// The layer between the lowest and the highest cloud about the planet; from above a ray can enter it twice.
 Stretch layer_stretch(vec3 origin, vec3 direction) {
-  vec2 top = intersect_altitude(origin, direction, cloud.layer.y);
+  vec2 top = intersect_altitude(origin, direction, cloud.march.w);
   if (top.x > top.y || top.y <= 0.0) return stretch_of(vec2(1.0, -1.0));
   Stretch found = stretch_of(top);
-  vec2 bottom = intersect_altitude(origin, direction, cloud.layer.x);
+  vec2 bottom = intersect_altitude(origin, direction, cloud.march.z);
   if (bottom.x > bottom.y || bottom.y <= 0.0) return found;
   if (bottom.x <= found.begin) {
     found.begin = bottom.y;

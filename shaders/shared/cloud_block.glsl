@@ -12,7 +12,7 @@
    medium: extinction (1/m), scattering (1/m), ambient scale, phase kind. phase: g, second g, second weight, light function.
    olajos: attenuation, in-scatter, gain, 0.
    octave_weight_low/high, octave_extinction_low/high, octave_asymmetry_low/high: of octaves 0..3 and 4..7; weight 0: unused.
-   steps: first step (m), growth, greatest number, light steps. march: light distance (m), view distance (m), 0, 0. */
+   steps: first step (m), growth, greatest number, light steps. march: light distance (m), view distance (m), altitudes between which there is cloud (m). */
 #define CLOUD_FIELDS(F) \
   F(vec4, layer) \
   F(vec4, tile) \

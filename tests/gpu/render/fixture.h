@@ -130,7 +130,7 @@ inline FrameRequest one_beam(const Cloudscape& sky, const CameraPose& pose) {
 inline FrameRequest picture(const Cloudscape& sky, const CameraPose& pose, ImageSize size_px) {
   FrameRequest request = one_ray(sky, pose);
   request.size_px = size_px;
-  request.quality = {128, 40, 0.02, 4, 1, 1, true};
+  request.quality = {.max_steps = 128, .step_m = 40, .step_growth = 0.02, .light_steps = 4, .float32 = true};
   return request;
 }
 

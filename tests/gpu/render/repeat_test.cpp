@@ -115,11 +115,31 @@ TEST_F(Repeat, DividedMarchesCoverOddSizes) {
   }
 }
 
+// The mean of neighbours takes noise away and leaves alone what is even.
+TEST_F(Repeat, SmoothingKeepsTheMean) {
+  FrameRequest request = still(1, {48, 30});
+  request.content = FrameContent::radiance;
+  const auto roughness_and_mean = [&](bool smooth) {
+    request.quality.smooth = smooth;
+    const Frame frame = render(request);
+    double rough = 0, mean = 0;
+    for (int i = 1; i < 48 * 30; ++i) {
+      rough += std::abs(opacity(frame, i) - opacity(frame, i - 1));
+      mean += opacity(frame, i) / (48 * 30);
+    }
+    return std::pair(rough, mean);
+  };
+  const auto [rough, mean] = roughness_and_mean(false);
+  const auto [smoother, same_mean] = roughness_and_mean(true);
+  EXPECT_LT(smoother, 0.95 * rough);  // what is left are the edges of clouds
+  EXPECT_NEAR(same_mean, mean, 0.01);
+}
+
 TEST_F(Repeat, ThePoolKeepsFewTargets) {
   TargetPool pool;
-  for (int side = 1; side <= 10; ++side) pool.release(pool.acquire({side, side}, 1, false));
+  for (int side = 1; side <= 10; ++side) pool.release(pool.acquire({side, side}, {}));
   EXPECT_LE(pool.size(), 4U);
-  auto again = pool.acquire({10, 10}, 1, false);
+  auto again = pool.acquire({10, 10}, {});
   EXPECT_EQ(pool.size(), 3U) << "the last one released is used again";
 }
 

@@ -1,6 +1,4 @@
 // Single scattering of homogeneous media, against closed forms and an independent quadrature in double precision.
-#include <functional>
-
 #include "fixture.h"
 
 namespace cloudscape::render {
@@ -61,6 +59,26 @@ TEST_F(Scattering, OfASphereSeenFromTheSide) {
       const double expected = sphere_radiance(t, north, sun, {beside, 0, 0});
       EXPECT_NEAR(red(render(request)) / expected, 1, 0.01) << "optical radius " << t << ", beside " << beside;
     }
+}
+
+// Through the middle of a Gaussian, lit at a right angle: what lies towards the sun of each point is half a Gaussian.
+TEST_F(Scattering, OfAGaussianSeenFromTheSide) {
+  const double s_m = 50, extinction_per_m = 0.02;
+  const Cloudscape sky =
+      homogeneous(VolumeKind::gaussian, ball_center_m - 4 * s_m, glm::dvec3(8 * s_m), extinction_per_m);
+  const double half_width_m = s_m * std::sqrt(std::numbers::pi / 2) * std::erf(4 / std::sqrt(2.0));
+  const int parts = 20000;
+  const double part_m = 8 * s_m / parts;
+  double optical_depth = 0, sum = 0;
+  for (int i = 0; i < parts; ++i) {
+    const double y = (i + 0.5) * part_m - 4 * s_m;
+    const double local_per_m = extinction_per_m * std::exp(-0.5 * y * y / (s_m * s_m));
+    optical_depth += 0.5 * local_per_m * part_m;
+    sum += local_per_m * part_m * std::exp(-optical_depth - local_per_m * half_width_m);
+    optical_depth += 0.5 * local_per_m * part_m;
+  }
+  const double radiance = red(render(one_beam(lit_from(sky, 90, 0), {camera_m, 0, 0, 0})));
+  EXPECT_NEAR(radiance / (henyey_greenstein(0, g) * sum), 1, 0.01);
 }
 
 struct SlabCase {
