@@ -35,7 +35,7 @@ constexpr RenderQuality render_quality(Quality quality) {
     case Quality::interactive:
       return {144, 55.0, 0.032, 4, 1, 1, false, true};
     case Quality::standard:
-      return {256, 22.0, 0.016, 6, 1, 12, false};
+      return {256, 22.0, 0.016, 6, 1, 8, false};
     case Quality::high:
       return {400, 12.0, 0.011, 8, 1, 32, false};
     case Quality::reference:

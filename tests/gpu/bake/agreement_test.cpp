@@ -26,15 +26,15 @@ float channel_of(const BakeRecipe& recipe, std::size_t index, vec3 position) {
   return (1 - share) * glsl::stretch(perlin, 0.25, 0.75) + share * glsl::stretch(worley, 0.3, 0.95);
 }
 
-// Red: thinned by height, and towers that are two fifths solid.
+// Red: thinned by height, and towers whose surface the noise pushes up and down.
 float shape_of(const BakeRecipe& recipe, vec3 position) {
   const float noise = channel_of(recipe, 0, position);
   const float height = std::fmod(position.z, 1.0F);
   const glsl::vec2 tile = glm::fract(glsl::vec2(position));
   float value = noise * glsl::height_distribution(height, recipe.height_rise, recipe.height_fall);
   for (const Tower& tower : recipe.towers)
-    value += (0.4 + 0.6 * noise) *
-             glsl::tower_offset(tile, height, glsl::vec2(tower.center), tower.radius, tower.top, tower.strength);
+    value += (0.35 + 0.65 * noise) * glsl::tower_offset(tile, height / (0.45 + 0.85 * noise), glsl::vec2(tower.center),
+                                                        tower.radius, tower.top, tower.strength);
   return glm::clamp(value, 0.0F, 1.0F);
 }
 

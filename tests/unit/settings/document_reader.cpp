@@ -167,7 +167,7 @@ TEST(DocumentReader, PointersEscapeWhatRfc6901Reserves) {
 
 TEST(DocumentReader, NoiseFinerThanTheTextureIsRefusedWithTheRule) {
   EXPECT_EQ(sentence(R"({"volume": {"resolution": 32}})"),
-            "/noise/channels/2 has 64 cells a tile in its last octave (frequency * lacunarity^(octaves - 1)): must be "
+            "/noise/channels/1 has 64 cells a tile in its last octave (frequency * lacunarity^(octaves - 1)): must be "
             "at most volume.resolution, 32");
   EXPECT_NO_THROW(parsed(R"({"volume": {"resolution": 64}})"));
   EXPECT_NO_THROW(parsed(R"({"volume": {"resolution": 16, "kind": "sphere"}})")) << "a sphere has no noise";

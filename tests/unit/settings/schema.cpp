@@ -39,7 +39,7 @@ TEST(Schema, SaysTypesRangesAndDefaults) {
   EXPECT_EQ(channels["maxItems"], 4);
   EXPECT_EQ(channels["items"]["type"], "object");
   EXPECT_FALSE(channels["items"]["properties"]["frequency"].contains("default")) << "each channel has its own";
-  EXPECT_EQ(channels["default"][3]["frequency"], 32);
+  EXPECT_EQ(channels["default"][3]["frequency"], Noise{}.channels[3].frequency);
   EXPECT_EQ(schema_at("/properties/title/maxLength"), 80);
 }
 
@@ -77,7 +77,7 @@ TEST(Reference, HasARowForEveryKey) {
            "| `resolution` | one of 16, 32, 64, 128, 256, 512 | `128` |",
        })
     EXPECT_THAT(text, HasSubstr(row));
-  EXPECT_THAT(text, HasSubstr("Default of `channels`:\n\n```json\n[{\"worley_mix\":1.0,\"frequency\":4,"));
+  EXPECT_THAT(text, HasSubstr("Default of `channels`:\n\n```json\n[{\"worley_mix\":0.7,\"frequency\":4,"));
   for (const char* heading : {"### document\n", "### medium\n", "### medium.phase\n", "### noise.channels\n",
                               "### shape.towers\n", "### view.pose\n"})
     EXPECT_THAT(text, HasSubstr(heading));
