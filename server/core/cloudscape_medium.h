@@ -42,8 +42,9 @@ struct LightFunction {
   double olajos_attenuation = 0.25;
   double olajos_in_scatter = 2.0;
   double olajos_gain = 1.0;
-  // tuned: a thick cloud in the back of the camera reflects about a third of a white surface, its base passes a sixth of that;
-  // half/half/half (Wrenninge 2013) leaves it five times darker. Thin veils come out two to three times too bright.
+  // tuned: a thick cloud in the back of the camera reflects about a third of a white surface, its base passes a sixth
+  // of that; half/half/half (Wrenninge 2013) leaves it five times darker. Thin veils come out two to three times too
+  // bright.
   int octaves = 6;
   double octave_scattering = 0.8;
   double octave_extinction = 0.4;
@@ -66,7 +67,7 @@ struct LightFunction {
 
 struct Medium {
   double extinction_per_m = 0.06;  // 0.4 g/m3 of water in droplets of 10 um: 3 LWC Qext / (4 rho r)
- 
+
   double single_scattering_albedo = 1.0;
   double ambient = 1.0;
   Phase phase;

@@ -53,7 +53,8 @@ struct NoiseChannel {
   static void fields(auto& self, auto&& visit) {
     visit("worley_mix", self.worley_mix, Limits{0, 1}, "0: Perlin noise, 1: Worley noise, between: both mixed.");
     visit("frequency", self.frequency, Limits{1, 128, true},
-          "Lattice cells along the tile's width in the first octave; a power of two. Upwards: as many as make them as high as wide.");
+          "Lattice cells along the tile's width in the first octave; a power of two. Upwards: as many as make them as "
+          "high as wide.");
     visit("octaves", self.octaves, Limits{1, 8}, "Octaves of fractional Brownian motion.");
     visit("lacunarity", self.lacunarity, Limits{2, 8, true},
           "Frequency ratio of neighbouring octaves; a power of two.");

@@ -63,6 +63,14 @@ class RunningImage:
         self.containers.run("rm", "--force", self.name, check=False)
 
 
+def build_image(containers, tag, *options):
+    """Builds it, and removes the image that had the tag before."""
+    before = containers.run("images", "--quiet", tag, check=False).stdout.split()
+    containers.run("build", "--network", "host", "--file", "docker/Dockerfile", "--tag", tag, *options, ".", timeout_s=2400)
+    for old in set(before) - set(containers.output("images", "--quiet", tag).split()):
+        containers.run("rmi", old, check=False)
+
+
 class ImageTest(unittest.TestCase):
     containers = None
     running = None
@@ -70,12 +78,8 @@ class ImageTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.containers.provide_base_image()
-        before = cls.containers.run("images", "--quiet", IMAGE, check=False).stdout.split()
-        cls.containers.run("build", "--network", "host", "--file", "docker/Dockerfile", "--tag", IMAGE, ".",
-                           timeout_s=2400)
-        after = cls.containers.output("images", "--quiet", IMAGE).split()
-        for old in set(before) - set(after):
-            cls.containers.run("rmi", old, check=False)
+        build_image(cls.containers, IMAGE + "-build", "--target", "build")  # named, so that it can be removed when it is old
+        build_image(cls.containers, IMAGE)
         cls.running = RunningImage(cls.containers)
         print(f"the container was ready after {cls.running.seconds_to_ready:.1f} s", flush=True)
 
