@@ -57,7 +57,7 @@ bake::BakeStore::Progress progress_on_stderr() {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   return [terminal, last = -1](const bake::BakeRecipe& recipe, double share) mutable {
     const int percent = static_cast<int>(100 * share);
-    if (percent == last || (!terminal && percent != 100)) return;
+    if (percent == last || recipe.resolution == 1 || (!terminal && percent != 100)) return;
     last = percent;
     std::fprintf(stderr, "%sbaking %d^3 texels: %d %%%s", terminal ? "\r" : "", recipe.resolution, percent,
                  percent == 100 ? "\n" : "");

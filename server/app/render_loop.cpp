@@ -65,7 +65,7 @@ void RenderLoop::start(GpuStack& stack) {
   server_.set_ready({device.renderer, device.vendor, device.gl_version,
                      stack.context.execution() == gpu::PassExecution::compute ? "compute" : "fragment",
                      device.software});
-  on_ready_();
+  if (!scheduler_.stopped()) on_ready_();
 }
 
 void RenderLoop::loop(GpuStack& stack) {
