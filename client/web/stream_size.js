@@ -2,7 +2,7 @@
 
 // Pixels of a picture, by the choice in the panel. `automatic` depends on what renders.
 const budgets_px = { full: Infinity, 1080: 1920 * 1080, 720: 1280 * 720, 540: 960 * 540, 360: 640 * 360 };
-const automatic_px = { software: 1280 * 720, gpu: 2560 * 1440 };  // tuned: sharpness against frames a second
+const automatic_px = { software: 960 * 540, gpu: 2560 * 1440 };  // tuned: sharpness against frames a second
 const least_side_px = 16;
 
 export function budget_px(choice, software) {

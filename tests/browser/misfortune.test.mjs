@@ -120,7 +120,7 @@ test('the stream has the window\'s device pixels, follows its size, and a GPU gi
   await live(page);
   await page.waitForTimeout(200);
   const [width, height] = server.log.hellos[0].size_px;
-  assert.ok(width * height <= 1280 * 720);
+  assert.ok(width * height <= 960 * 540);
   assert.deepEqual(server.log.settings.at(-1).size_px, [2000, 1000]);
   await page.setViewportSize({ width: 600, height: 400 });
   await page.waitForTimeout(500);

@@ -139,9 +139,9 @@ test('the stream has the window\'s pixels within budget and limits, on even side
   assert.deepEqual(size(640, 360, 1, budget_px('automatic', true)), [640, 360]);
   assert.deepEqual(size(641, 361, 2, budget_px('full', true)), [1282, 722]);
   const [width, height] = size(1920, 1080, 2, budget_px('automatic', true));
-  assert.deepEqual([width, height], [1280, 720]);
+  assert.deepEqual([width, height], [960, 540]);
   const [tall_width, tall_height] = size(390, 844, 3, budget_px(undefined, true));
-  assert.ok(tall_width * tall_height <= 1280 * 720 && tall_width % 2 === 0 && tall_height % 2 === 0);
+  assert.ok(tall_width * tall_height <= 960 * 540 && tall_width % 2 === 0 && tall_height % 2 === 0);
   close(tall_width / tall_height, 390 / 844, 0.01);
   assert.deepEqual(size(5000, 1000, 1, Infinity, [2000, 2000]), [2000, 400]);
 });
