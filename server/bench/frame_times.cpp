@@ -1,9 +1,8 @@
 #include "bench/frame_times.h"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "core/version.h"
@@ -50,14 +49,16 @@ FrameTimes measure_frames(render::Renderer& renderer, const FrameRequest& reques
 }
 
 std::string table_of(const std::vector<FrameTimes>& rows) {
-  std::string text =
-      fmt::format("{:<24} {:<12} {:>9} {:>3}  {:>9} {:>9} {:>9}  {:>9}  {:>9} {:>7}\n", "cloudscape", "quality", "size",
-                  "1/n", "median ms", "p95 ms", "max ms", "device ms", "jpeg ms", "KiB");
+  char line[160];
+  std::snprintf(line, sizeof line, "%-24s %-12s %9s %3s  %9s %9s %9s  %9s  %9s %7s\n", "cloudscape", "quality", "size",
+                "1/n", "median ms", "p95 ms", "max ms", "device ms", "jpeg ms", "KiB");
+  std::string text = line;
   for (const FrameTimes& row : rows) {
-    text += fmt::format("{:<24} {:<12} {:>9} {:>3}  {:>9.1f} {:>9.1f} {:>9.1f}  {:>9.1f}  {:>9.2f} {:>7.1f}\n",
-                        row.cloudscape, row.quality, fmt::format("{}x{}", row.size_px.width, row.size_px.height),
-                        row.march_divisor, row.render.median_ms, row.render.p95_ms, row.render.max_ms,
-                        row.gpu.median_ms, row.encode.median_ms, row.jpeg_bytes / 1024);
+    const std::string size = std::to_string(row.size_px.width) + "x" + std::to_string(row.size_px.height);
+    std::snprintf(line, sizeof line, "%-24.24s %-12s %9s %3d  %9.1f %9.1f %9.1f  %9.1f  %9.2f %7.1f\n",
+                  row.cloudscape.c_str(), row.quality.c_str(), size.c_str(), row.march_divisor, row.render.median_ms,
+                  row.render.p95_ms, row.render.max_ms, row.gpu.median_ms, row.encode.median_ms, row.jpeg_bytes / 1024);
+    text += line;
   }
   return text;
 }

@@ -80,7 +80,8 @@ TEST_F(Stills, TheSunMovesInACopyOfTheDocument) {
   EXPECT_EQ(still.frame.cloudscape->sun.elevation_deg, -3);
   const Sun sun = library.get("overcast")->sun;
   EXPECT_NE(sun.azimuth_deg, 200.5);
-  EXPECT_EQ(query({{"sun_azimuth_deg", std::to_string(sun.azimuth_deg)}}).frame.cloudscape, library.get("overcast")) << "no needless copy";
+  EXPECT_EQ(query({{"sun_azimuth_deg", std::to_string(sun.azimuth_deg)}}).frame.cloudscape, library.get("overcast"))
+      << "no needless copy";
 }
 
 TEST_F(Stills, QueryAndBodyOfOneMeaningAreOneCanonicalText) {
