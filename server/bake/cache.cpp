@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -15,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* unfinished_suffix = ".tmp";  // and the number of the process that writes
 constexpr std::string_view magic = "cloudscape bake 1\n";
 
 std::size_t cube(int side, std::size_t texel_bytes) {
@@ -55,6 +57,16 @@ std::optional<BakedTexels> parse(const BakeRecipe& recipe, std::string_view file
   return texels_of(recipe, payload);
 }
 
+// What a process that was killed while it wrote has left behind. An hour is longer than any write.
+void remove_unfinished(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const bool unfinished = entry.path().extension().string().starts_with(unfinished_suffix);
+    const auto age = fs::file_time_type::clock::now() - entry.last_write_time(error);
+    if (unfinished && age > std::chrono::hours(1)) fs::remove(entry.path(), error);
+  }
+}
+
 }  // namespace
 
 BakeCache::BakeCache(fs::path folder, std::uint64_t limit_bytes)
@@ -62,7 +74,10 @@ BakeCache::BakeCache(fs::path folder, std::uint64_t limit_bytes)
   if (folder_.empty()) return;
   std::error_code error;
   fs::create_directories(folder_, error);
-  if (!error && access(folder_.c_str(), W_OK) == 0) return;
+  if (!error && access(folder_.c_str(), W_OK) == 0) {
+    remove_unfinished(folder_);
+    return;
+  }
   log::warn("the cache folder {} cannot be written: bakes are not kept; name another with --cache-dir",
             folder_.string());
   folder_.clear();
@@ -87,7 +102,7 @@ std::optional<BakedTexels> BakeCache::load(const BakeRecipe& recipe) const {
 void BakeCache::store(const BakedTexels& texels) const {
   if (folder_.empty()) return;
   const fs::path path = path_of(texels.recipe);
-  const fs::path unfinished = path.string() + ".tmp" + std::to_string(getpid());
+  const fs::path unfinished = path.string() + unfinished_suffix + std::to_string(getpid());
   const std::string payload = payload_of(texels);
   std::ofstream out(unfinished, std::ios::binary);
   out << magic << sha256_hex(payload) << '\n' << payload;

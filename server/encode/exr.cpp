@@ -15,23 +15,20 @@
 namespace cloudscape::encode {
 namespace {
 
-constexpr std::array<const char*, 5> channels{"R", "G", "B", "A", "Z"};
+constexpr std::array<const char*, 4> channels{"R", "G", "B", "A"};
 
-// A finite value beyond half's range would become infinite, which in Z says "sky" and in a filter spoils its
-// neighbours; it is clamped instead. Infinity itself is kept.
+// A finite value beyond half's range would become infinite, which in a filter spoils its neighbours; it is clamped
+// instead. Infinity itself is kept.
 half to_half(float value) {
   constexpr float largest = 65504.0f;  // IEEE 754 binary16
   return half(std::isinf(value) ? value : std::clamp(value, -largest, largest));
 }
 
-// Five values a pixel: R G B A Z.
+// R G B A.
 std::vector<half> half_pixels(const Frame& frame) {
   std::vector<half> pixels;
-  pixels.reserve(frame.depth_m.size() * 5);
-  for (std::size_t i = 0; i < frame.depth_m.size(); ++i) {
-    for (std::size_t c = 0; c < 4; ++c) pixels.push_back(to_half(frame.radiance_rgba[i * 4 + c]));
-    pixels.push_back(to_half(frame.depth_m[i]));
-  }
+  pixels.reserve(frame.radiance_rgba.size());
+  for (const float value : frame.radiance_rgba) pixels.push_back(to_half(value));
   return pixels;
 }
 
@@ -41,36 +38,32 @@ char* base(const T* pixels) {
   return reinterpret_cast<char*>(const_cast<T*>(pixels));
 }
 
-Imf::FrameBuffer half_buffer(const std::vector<half>& pixels, int width) {
-  Imf::FrameBuffer buffer;
-  for (std::size_t c = 0; c < channels.size(); ++c)
-    buffer.insert(channels[c],
-                  Imf::Slice(Imf::HALF, base(pixels.data() + c), 5 * sizeof(half), 5 * sizeof(half) * width));
-  return buffer;
-}
-
-Imf::FrameBuffer float_buffer(const Frame& frame, int width) {
+// Channels R G B A, interleaved, and Z, which stays 32 bit: half would end at 65.5 km, within sight of any cloud.
+template <class T>
+Imf::FrameBuffer frame_buffer(const std::vector<T>& rgba, Imf::PixelType type, const std::vector<float>& depth_m,
+                              int width) {
   Imf::FrameBuffer buffer;
   for (std::size_t c = 0; c < 4; ++c)
-    buffer.insert(channels[c], Imf::Slice(Imf::FLOAT, base(frame.radiance_rgba.data() + c), 4 * sizeof(float),
-                                          4 * sizeof(float) * width));
-  buffer.insert("Z", Imf::Slice(Imf::FLOAT, base(frame.depth_m.data()), sizeof(float), sizeof(float) * width));
+    buffer.insert(channels[c], Imf::Slice(type, base(rgba.data() + c), 4 * sizeof(T), 4 * sizeof(T) * width));
+  buffer.insert("Z", Imf::Slice(Imf::FLOAT, base(depth_m.data()), sizeof(float), sizeof(float) * width));
   return buffer;
 }
 
 Bytes write_file(const Frame& frame, ExrType type, std::size_t front) {
   const auto [width, height] = frame.request.size_px;
+  const Imf::PixelType color_type = type == ExrType::half ? Imf::HALF : Imf::FLOAT;
   Imf::Header header(width, height);
   header.compression() = Imf::ZIP_COMPRESSION;
-  for (const char* channel : channels)
-    header.channels().insert(channel, Imf::Channel(type == ExrType::half ? Imf::HALF : Imf::FLOAT));
+  for (const char* channel : channels) header.channels().insert(channel, Imf::Channel(color_type));
+  header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
   add_attributes(header, frame);
 
   const std::vector<half> halves = type == ExrType::half ? half_pixels(frame) : std::vector<half>{};
   MemoryFile memory(front);
   {
     Imf::OutputFile file(memory, header, 0);  // no threads of its own: the pool that calls encodes in parallel
-    file.setFrameBuffer(type == ExrType::half ? half_buffer(halves, width) : float_buffer(frame, width));
+    file.setFrameBuffer(type == ExrType::half ? frame_buffer(halves, color_type, frame.depth_m, width)
+                                              : frame_buffer(frame.radiance_rgba, color_type, frame.depth_m, width));
     file.writePixels(height);
   }  // its destructor writes the table of line offsets
   return std::move(memory.bytes);

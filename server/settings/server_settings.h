@@ -77,7 +77,7 @@ struct ServerSettings {
           "Work of a still: pixels * samples * steps / 1e9.");
     visit("max_body_kib", self.max_body_kib, Limits{1, 16384}, "Body of an HTTP request, KiB.");
     visit("header_timeout_s", self.header_timeout_s, timeouts_s, "Time that a client has to send its header, s.");
-    visit("body_timeout_s", self.body_timeout_s, timeouts_s, "Time that a client has between parts of a body, s.");
+    visit("body_timeout_s", self.body_timeout_s, timeouts_s, "Time that a client has to send the whole body, s.");
     visit("still_timeout_s", self.still_timeout_s, timeouts_s, "Time that a still may take, waiting included, s.");
     visit("idle_ping_s", self.idle_ping_s, timeouts_s, "A stream that is silent so long is asked for life, s.");
     visit("idle_hangup_s", self.idle_hangup_s, timeouts_s,

@@ -116,6 +116,16 @@ TEST_F(Cache, LeavesNoUnfinishedFileWhenTheDiskIsFull) {
   EXPECT_FALSE(cache_.load(texels_.recipe));
 }
 
+TEST_F(Cache, RemovesWhatAKilledProcessLeftAnHourAgo) {
+  const fs::path old_file = folder_.path() / "a.bake.tmp123", new_file = folder_.path() / "b.bake.tmp124";
+  write(old_file, "half a bake");
+  write(new_file, "half a bake");
+  fs::last_write_time(old_file, fs::file_time_type::clock::now() - std::chrono::hours(2));
+  const BakeCache cache(folder_.path(), plenty);
+  EXPECT_FALSE(fs::exists(old_file));
+  EXPECT_TRUE(fs::exists(new_file)) << "another process may be writing it";
+}
+
 TEST_F(Cache, ThrowsAwayTheLeastRecentlyUsed) {
   const BakeCache small(folder_.path() / "small", 300000);  // two files of 131 kB
   const auto hours_ago = [](int hours) { return fs::file_time_type::clock::now() - std::chrono::hours(hours); };

@@ -90,12 +90,7 @@ TEST(Exr, HalvesRoundToNearestAndKeepInfinity) {
     ASSERT_EQ(decoded.rgba.size(), frame.radiance_rgba.size());
     for (std::size_t i = 0; i < decoded.rgba.size(); ++i)
       ASSERT_NEAR(decoded.rgba[i], frame.radiance_rgba[i], frame.radiance_rgba[i] * 0x1p-11f);
-    for (std::size_t i = 0; i < decoded.depth_m.size(); ++i) {
-      if (i % 3 == 0)
-        ASSERT_TRUE(std::isinf(decoded.depth_m[i]));
-      else
-        ASSERT_NEAR(decoded.depth_m[i], frame.depth_m[i], frame.depth_m[i] * 0x1p-11f);
-    }
+    EXPECT_EQ(decoded.depth_m, frame.depth_m) << "32 bit, infinity included";
   }
 }
 
@@ -105,7 +100,7 @@ TEST(Exr, HalvesStayFiniteBeyondTheirRange) {
   frame.depth_m = {250000.0f, std::numeric_limits<float>::infinity()};
   const Decoded decoded = decode(encode::encode(frame, exr(ExrType::half)));
   EXPECT_EQ(decoded.rgba, (std::vector<float>{65504, 65504, 65504, 1, -65504, 65504, 0, 0}));
-  EXPECT_EQ(decoded.depth_m[0], 65504.0f);
+  EXPECT_EQ(decoded.depth_m[0], 250000.0f) << "the horizon from an airliner is farther than half reaches";
   EXPECT_TRUE(std::isinf(decoded.depth_m[1]));
 }
 
@@ -117,7 +112,7 @@ TEST(Exr, ChannelsHaveTheTypeThatWasAsked) {
     const Imf::ChannelList& channels = decoded.header.channels();
     for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
       names += channel.name();
-      EXPECT_EQ(channel.channel().type, pixel_type);
+      EXPECT_EQ(channel.channel().type, std::string(channel.name()) == "Z" ? Imf::FLOAT : pixel_type);
     }
     EXPECT_EQ(names, "ABGRZ");
     EXPECT_EQ(decoded.header.compression(), Imf::ZIP_COMPRESSION);
