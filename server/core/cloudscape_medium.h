@@ -42,8 +42,8 @@ struct LightFunction {
   double olajos_attenuation = 0.25;
   double olajos_in_scatter = 2.0;
   double olajos_gain = 1.0;
-  // tuned: a thick cloud in the back of the camera reflects about a third of a white surface, its base passes a sixth
-  // of that; half/half/half (Wrenninge 2013) leaves it five times darker. Thin veils come out two to three times too
+  // tuned by eye and a slab estimate, not measured: thick clouds with the sun behind the camera come out white and
+  // their bases grey, where half/half/half (Wrenninge 2013) leaves both dark. The price: thin veils come out too
   // bright.
   int octaves = 6;
   double octave_scattering = 0.8;
