@@ -88,7 +88,8 @@ RenderLoop::Active& RenderLoop::active_of(GpuStack& stack, const stream::Work& w
   if (active.job && active.work.request.sequence == work.request.sequence && active.work.frame_id == work.frame_id)
     return active;
   if (active.job) stack.renderer.abandon(std::move(active.job));
-  active = {work, stack.renderer.begin(work.request)};
+  active = {work, stack.renderer.begin(work.request),
+            std::chrono::duration<double, std::milli>(Clock::now() - work.queued).count()};
   return active;
 }
 
@@ -101,6 +102,7 @@ void RenderLoop::advance(GpuStack& stack, const stream::Work& work) {
     }
     if (pending_) collect(stack);
     pending_ = Pending{work, stack.renderer.finish(std::move(active.job))};
+    pending_->frame.timings.queue_ms = active.queue_ms;
     active_.erase(work.request.stream);
   } catch (const std::exception& error) {
     fail(stack, work, error.what());
@@ -113,7 +115,6 @@ void RenderLoop::collect(GpuStack& stack) {
   try {
     Frame frame = stack.renderer.collect(std::move(pending.frame));
     if (pending.work.still) stack.renderer.forget(pending.work.request.stream);
-    frame.timings.queue_ms = std::chrono::duration<double, std::milli>(Clock::now() - pending.work.queued).count();
     scheduler_.rendered(pending.work, frame.timings);
     encode(pending.work, std::move(frame));
   } catch (const std::exception& error) {

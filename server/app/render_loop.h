@@ -28,6 +28,7 @@ class RenderLoop {
   struct Active {
     stream::Work work;
     std::unique_ptr<render::RenderJob> job;
+    double queue_ms = 0;  // from wanted until taken
   };
   struct Pending {
     stream::Work work;

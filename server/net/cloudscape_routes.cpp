@@ -43,22 +43,22 @@ Response put(const Request& request, const std::string& name, Site& site) {
   const std::string_view type = request.content_type;
   if (!type.empty() && !equal_without_case(trimmed(type.substr(0, type.find(';'))), "application/json"))
     return problem(415, "The body must be application/json.");
-  if (is_preset(site.parts.library, name)) return preset_problem(name);
-  const bool made = site.parts.library.put(name, request.body);
+  if (is_preset(site.parts.cloudscapes, name)) return preset_problem(name);
+  const bool made = site.parts.cloudscapes.put(name, request.body);
   for (StreamSession* session : site.sessions) session->on_document_changed(name);
   return made ? empty_response(201).with("location", "/api/v1/cloudscapes/" + name) : empty_response(204);
 }
 
 Response remove(const std::string& name, Site& site) {
-  if (is_preset(site.parts.library, name)) return preset_problem(name);
-  site.parts.library.remove(name);
+  if (is_preset(site.parts.cloudscapes, name)) return preset_problem(name);
+  site.parts.cloudscapes.remove(name);
   return empty_response(204);
 }
 
 }  // namespace
 
 void add_cloudscape_routes(Router& router, Site& site) {
-  auto& library = site.parts.library;
+  auto& library = site.parts.cloudscapes;
   router.add({"/api/v1/cloudscapes", false, {{Method::get, [&library](const Request& request, auto&) {
                                                 return list(request, library);
                                               }}}});

@@ -22,7 +22,7 @@ struct RendererInfo {
 struct Parts {
   settings::ServerSettings settings;
   stream::FrameScheduler& scheduler;
-  settings::CloudscapeLibrary& library;
+  settings::CloudscapeLibrary& cloudscapes;
   Metrics& metrics;
   EmbeddedFiles page;  // index.html and what it loads
 };

@@ -35,7 +35,7 @@ Answer get_still(const Request& request, Site& site) {
   if (auto refused = refuse_unready(site)) return *refused;
   if (auto refused = refuse_rate(request, site)) return *refused;
   const auto limits = settings::still_limits(site.parts.settings);
-  return order(request, site, settings::still_from_parameters(request.query, site.parts.library, limits));
+  return order(request, site, settings::still_from_parameters(request.query, site.parts.cloudscapes, limits));
 }
 
 Answer post_still(const Request& request, Site& site) {
@@ -43,7 +43,7 @@ Answer post_still(const Request& request, Site& site) {
   if (auto refused = refuse_unready(site)) return *refused;
   if (auto refused = refuse_rate(request, site)) return *refused;
   const auto limits = settings::still_limits(site.parts.settings);
-  return order(request, site, settings::still_from_json(request.body, site.parts.library, limits));
+  return order(request, site, settings::still_from_json(request.body, site.parts.cloudscapes, limits));
 }
 
 }  // namespace

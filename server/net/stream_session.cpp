@@ -72,7 +72,7 @@ void StreamSession::on_message(std::string_view text, bool binary, Instant now) 
 void StreamSession::receive(const wire::Hello& hello, std::string_view text) {
   if (stream_) throw Breach("", "A viewer says hello once.");
   if (hello.version != 1) throw Breach("/version", "must be 1");
-  viewed_ = viewed_by(hello, text, site_.parts.library, site_.parts.settings);
+  viewed_ = viewed_by(hello, text, site_.parts.cloudscapes, site_.parts.settings);
   stream_ = site_.parts.scheduler.open(viewed_.view);
   greet();
 }
@@ -86,7 +86,7 @@ void StreamSession::greet() {
 }
 
 void StreamSession::receive(const wire::Settings& settings) {
-  viewed_ = changed(viewed_, settings, site_.parts.library, site_.parts.settings);
+  viewed_ = changed(viewed_, settings, site_.parts.cloudscapes, site_.parts.settings);
   site_.parts.scheduler.update(*stream_, viewed_.view);
 }
 
@@ -127,7 +127,7 @@ void StreamSession::on_second(Instant now) {
 
 void StreamSession::on_document_changed(const std::string& name) {
   if (!stream_ || closing() || viewed_.name != name) return;
-  viewed_ = reloaded(viewed_, site_.parts.library);
+  viewed_ = reloaded(viewed_, site_.parts.cloudscapes);
   site_.parts.scheduler.update(*stream_, viewed_.view);
 }
 

@@ -61,7 +61,7 @@ FrameBlock frame_block(const FrameRequest& request, int sample) {
                 offset.y};
   block.size = {request.size_px.width, request.size_px.height, static_cast<int>(request.lens.kind),
                 request.quality.march_divisor};
-  block.sample_info = {sample, 0, request.content == FrameContent::radiance, request.display.dither};
+  block.sample_info = {sample, 0, 0, request.display.dither};
   block.sun_direction =
       xyz_w(direction_of(sky.sun.azimuth_deg, sky.sun.elevation_deg), squared_chord(sky.sun.angular_radius_deg));
   block.sun_irradiance = xyz_w(sky.sun.irradiance, disc_per_solid_angle(sky.sun));

@@ -17,7 +17,7 @@ struct March {
 
 // Offset of the first step in 0..1: differs between neighbouring pixels, and evenly over the samples of a pixel.
 float step_jitter(ivec2 pixel) {
-  float noise = interleaved_gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_info.y & 63));
+  float noise = interleaved_gradient_noise(vec2(pixel));
   return fract(noise + golden_ratio * float(frame.sample_info.x));
 }
 

@@ -6,7 +6,7 @@
 
 /* camera_right, camera_up, camera_forward: world directions; camera_forward.w: camera altitude, m.
    lens: tangent of half the vertical field of view, orthographic width (m), subpixel jitter x, y.
-   size: width, height, lens kind, march divisor. sample: index of the sample, seed of the noise, radiance content?, dither?
+   size: width, height, lens kind, march divisor. sample_info: index of the sample, 0, 0, dither?
    sun_direction: towards the sun, square of the chord of its angular radius. sun_irradiance: above the atmosphere, 1 / solid angle or 0.
    sky: radiance of a uniform sky, kind as core's SkyKind. atmosphere: haze, unused...
    ground_albedo: rgb, variation. ground: kind, fields' offset east and north (m), 0.
