@@ -27,6 +27,7 @@ void merge(wire::Settings& into, const wire::Settings& changes) {
   take(into.pose, changes.pose);
   take(into.lens, changes.lens);
   take(into.display, changes.display);
+  take(into.march, changes.march);
   take(into.quality, changes.quality);
   take(into.sun_azimuth_deg, changes.sun_azimuth_deg);
   take(into.sun_elevation_deg, changes.sun_elevation_deg);

@@ -44,6 +44,7 @@ FrameRequest request_of(const std::shared_ptr<const Cloudscape>& cloudscape, Ima
   request.pose = cloudscape->view.pose;
   request.lens = cloudscape->view.lens;
   request.display = cloudscape->view.display;
+  request.march = cloudscape->view.march;
   request.size_px = size;
   request.quality = render_quality(variant.quality);
   request.quality.samples = 1;

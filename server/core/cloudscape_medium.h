@@ -1,15 +1,17 @@
 // The section of a cloudscape that says how the medium interacts with light.
 #pragma once
 #include <array>
+#include <glm/vec3.hpp>
 
 #include "core/fields.h"
 
 namespace cloudscape {
 
-enum class PhaseKind { henyey_greenstein, two_lobe, rayleigh, isotropic };
+enum class PhaseKind { henyey_greenstein, two_lobe, rayleigh, isotropic, mie, none };
 template <>
 struct EnumNames<PhaseKind> {
-  static constexpr std::array<std::string_view, 4> names{"henyey-greenstein", "two-lobe", "rayleigh", "isotropic"};
+  static constexpr std::array<std::string_view, 6> names{"henyey-greenstein", "two-lobe", "rayleigh",
+                                                         "isotropic",         "mie",      "none"};
 };
 
 // cos_theta = 1 is forward scattering; the integral over all directions is 1.
@@ -18,14 +20,22 @@ struct Phase {
   double asymmetry_g = 0.8;
   double second_asymmetry_g = -0.3;
   double second_weight = 0.3;
+  double effective_radius_um = 10.0;
+  double effective_variance = 0.1;
   bool operator==(const Phase&) const = default;
 
   static void fields(auto& self, auto&& visit) {
-    visit("kind", self.kind, Limits{}, "Phase function.");
+    visit("kind", self.kind, Limits{},
+          "mie: of water droplets, computed by Lorenz-Mie theory. none: the same in all directions, as isotropic, but "
+          "not looked up at all (Olajos, table 3.4).");
     visit("asymmetry_g", self.asymmetry_g, Limits{-0.99, 0.99}, "Mean cosine of the (first) Henyey-Greenstein lobe.");
     visit("second_asymmetry_g", self.second_asymmetry_g, Limits{-0.99, 0.99},
           "Mean cosine of the second lobe of two-lobe.");
     visit("second_weight", self.second_weight, Limits{0, 1}, "Share of the second lobe of two-lobe.");
+    visit("effective_radius_um", self.effective_radius_um, Limits{1, 50},
+          "Effective radius of the droplets of mie, micrometres.");
+    visit("effective_variance", self.effective_variance, Limits{0.01, 0.5},
+          "Effective variance of the droplets' radii (gamma distribution, Hansen 1971).");
   }
 };
 
@@ -42,6 +52,8 @@ struct LightFunction {
   double olajos_attenuation = 0.25;
   double olajos_in_scatter = 2.0;
   double olajos_gain = 1.0;
+  glm::dvec3 olajos_dark{0.10, 0.12, 0.15};
+  glm::dvec3 olajos_bright{1.0, 1.0, 1.0};
   // tuned by eye and a slab estimate, not measured: thick clouds with the sun behind the camera come out white and
   // their bases grey, where half/half/half (Wrenninge 2013) leaves both dark. The price: thin veils come out too
   // bright.
@@ -58,6 +70,12 @@ struct LightFunction {
     visit("olajos_in_scatter", self.olajos_in_scatter, Limits{0, 100}, "c, per unit of optical depth towards the sun.");
     visit("olajos_gain", self.olajos_gain, Limits{0, 100},
           "Strength of the in-scattered light beside the first order.");
+    visit(
+        "olajos_dark", self.olajos_dark, Limits{0, 10},
+        "Dark base colour of the cloud (red, green, blue), in place of the sky's light; 1: as a white diffuse surface "
+        "in the sun.");
+    visit("olajos_bright", self.olajos_bright, Limits{0, 10},
+          "Bright colour that the light function adds to it (red, green, blue).");
     visit("octaves", self.octaves, Limits{1, 8}, "Octaves of beer-octaves, the first order included.");
     visit("octave_scattering", self.octave_scattering, Limits{0, 1}, "Contribution ratio of neighbouring octaves.");
     visit("octave_extinction", self.octave_extinction, Limits{0, 1}, "Extinction ratio of neighbouring octaves.");

@@ -27,6 +27,7 @@ struct FrameRequest {
   CameraPose pose;
   Lens lens;
   Display display;
+  March march;
   ImageSize size_px;
   RenderQuality quality;
   double time_s = 0.0;

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 
+#include "core/cloudscape_march.h"
 #include "core/fields.h"
 
 namespace cloudscape {
@@ -56,6 +57,10 @@ struct Display {
   double exposure_ev = 1.5;  // a sunlit cloud top, about 0.5 in solar units, comes out nearly white
   ToneCurve tone_curve = ToneCurve::aces;
   bool dither = true;
+  // tuned: in a clear sky only the sun's disc and what lies right about it is brighter than the threshold.
+  double bloom_strength = 0.04;
+  double bloom_threshold = 8.0;
+  double bloom_radius = 0.08;
   bool operator==(const Display&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -64,6 +69,12 @@ struct Display {
     visit("tone_curve", self.tone_curve, Limits{},
           "How radiance becomes display values; reinhard is L / (1 + L) on luminance.");
     visit("dither", self.dither, Limits{}, "Noise of one display step before rounding to 8 bits; hides banding.");
+    visit("bloom_strength", self.bloom_strength, Limits{0, 1},
+          "Share of the light above bloom_threshold that glows about its place (Olajos 2.7); 0: none.");
+    visit("bloom_threshold", self.bloom_threshold, Limits{0, 1e6},
+          "Luminance above which light blooms, as exposed: 1 is a white that is just displayed as such.");
+    visit("bloom_radius", self.bloom_radius, Limits{0.001, 0.5},
+          "Standard deviation of the glow as a share of the picture's height.");
   }
 };
 
@@ -71,12 +82,14 @@ struct View {
   CameraPose pose;
   Lens lens;
   Display display;
+  March march;
   bool operator==(const View&) const = default;
 
   static void fields(auto& self, auto&& visit) {
     visit("pose", self.pose, Limits{}, "Camera position and orientation.");
     visit("lens", self.lens, Limits{}, "Projection and field of view.");
     visit("display", self.display, Limits{}, "Exposure and tone curve.");
+    visit("march", self.march, Limits{}, "Techniques of the ray march (Olajos 2.4).");
   }
 };
 

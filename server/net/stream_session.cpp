@@ -58,7 +58,8 @@ void StreamSession::on_message(std::string_view text, bool binary, Instant now) 
   if (binary) return close_with(policy_violation, "Messages to the server are JSON text, not binary.", "binary");
   try {
     const auto& shown = viewed_.view;
-    const wire::ClientMessage parsed = wire::parse_client_message(text, {shown.pose, shown.lens, shown.display});
+    const wire::ClientMessage parsed =
+        wire::parse_client_message(text, {shown.pose, shown.lens, shown.display, shown.march});
     if (const auto* hello = std::get_if<wire::Hello>(&parsed)) return receive(*hello, text);
     if (!stream_) throw Breach("/type", "must be \"hello\" in the first message");
     if (const auto* camera = std::get_if<wire::Camera>(&parsed)) return receive(*camera);

@@ -61,6 +61,7 @@ void change_view(stream::StreamView& view, const wire::Settings& settings) {
   take(view.pose, settings.pose);
   take(view.lens, settings.lens);
   take(view.display, settings.display);
+  take(view.march, settings.march);
   take(view.quality, settings.quality);
   take(view.time_s, settings.time_s);
 }
@@ -82,6 +83,7 @@ Viewed viewed_by(const wire::Hello& hello, std::string_view text, const settings
   viewed.view.pose = view.pose;
   viewed.view.lens = view.lens;
   viewed.view.display = view.display;
+  viewed.view.march = view.march;
   wire::Settings wanted = std::get<wire::Hello>(wire::parse_client_message(text, view)).settings;
   wanted.cloudscape.reset();  // chosen already, and it may be long
   wanted.cloudscape_document.reset();

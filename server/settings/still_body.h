@@ -58,16 +58,31 @@ struct StillSun {
   }
 };
 
+// How the medium interacts with light, where a request changes it.
+struct StillMedium {
+  Phase phase;
+  LightFunction light_function;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("phase", self.phase, Limits{}, "Phase function and its parameters.");
+    visit("light_function", self.light_function, Limits{}, "Sunlight inside the cloud.");
+  }
+};
+
 // Everything but the cloudscape.
 struct StillBody {
   StillCamera camera;
   StillImage image;
   StillSun sun;
+  March march;
+  StillMedium medium;
 
   static void fields(auto& self, auto&& visit) {
     visit("camera", self.camera, Limits{}, "Pose and lens; by default the cloudscape's view.");
     visit("image", self.image, Limits{}, "Size, quality and format.");
     visit("sun", self.sun, Limits{}, "Where the sun stands; by default as the cloudscape says.");
+    visit("march", self.march, Limits{}, "Techniques of the ray march; by default as the cloudscape's view says.");
+    visit("medium", self.medium, Limits{}, "Phase and light function; by default as the cloudscape says.");
   }
 };
 

@@ -17,6 +17,8 @@ using nlohmann::json;
 std::string parameter_name(const std::string& path) {
   if (path == "/camera/position_m") return "position";
   if (path == "/camera/lens/kind") return "lens";
+  if (path == "/medium/phase/kind") return "phase";
+  if (path == "/medium/light_function/kind") return "light_function";
   if (path == "/sun/azimuth_deg") return "sun_azimuth_deg";
   if (path == "/sun/elevation_deg") return "sun_elevation_deg";
   return path.substr(path.rfind('/') + 1);
@@ -41,6 +43,8 @@ StillBody body_of(const Cloudscape& cloudscape) {
   body.image.display = cloudscape.view.display;
   body.image.encoding.chroma = ChromaSubsampling::none;
   body.sun.sun = cloudscape.sun;
+  body.march = cloudscape.view.march;
+  body.medium = {cloudscape.medium.phase, cloudscape.medium.light_function};
   return body;
 }
 
@@ -60,7 +64,7 @@ void check_side(int side_px, const std::string& pointer, const StillLimits& limi
 }
 
 // `prefix` is where the picture's members stand: "/" in a query, "/image/" in a body.
-void check_limits(const StillImage& image, const RenderQuality& quality, const std::string& prefix,
+void check_limits(const StillImage& image, const RenderQuality& quality, int max_steps, const std::string& prefix,
                   const StillLimits& limits) {
   check_side(image.size_px.width, prefix + "width", limits);
   check_side(image.size_px.height, prefix + "height", limits);
@@ -68,7 +72,7 @@ void check_limits(const StillImage& image, const RenderQuality& quality, const s
   if (pixels / 1e6 > limits.max_megapixels)
     throw OverLimit(prefix + "width", "times height is " + number_text(pixels / 1e6) +
                                           " megapixels: this server's limit is " + number_text(limits.max_megapixels));
-  const double gigasteps = pixels * quality.samples * quality.max_steps / 1e9;
+  const double gigasteps = pixels * quality.samples * max_steps / 1e9;
   if (gigasteps > limits.max_gigasteps)
     throw OverLimit(prefix + "quality", "asks for " + number_text(gigasteps) +
                                             " gigasteps (pixels * samples * steps / 1e9): this server's limit is " +
@@ -76,11 +80,13 @@ void check_limits(const StillImage& image, const RenderQuality& quality, const s
                                             "; lower width, height, samples or quality");
 }
 
-std::shared_ptr<const Cloudscape> under_sun(const std::shared_ptr<const Cloudscape>& cloudscape, const Sun& sun) {
-  if (cloudscape->sun == sun) return cloudscape;
+// The cloudscape with what the request changes of it; itself where that is nothing.
+std::shared_ptr<const Cloudscape> as_asked(const std::shared_ptr<const Cloudscape>& cloudscape, const StillBody& body) {
   auto changed = std::make_shared<Cloudscape>(*cloudscape);
-  changed->sun = sun;
-  return changed;
+  changed->sun = body.sun.sun;
+  changed->medium.phase = body.medium.phase;
+  changed->medium.light_function = body.medium.light_function;
+  return *changed == *cloudscape ? cloudscape : changed;
 }
 
 std::string canonical_text(const Cloudscape& cloudscape, const StillBody& body) {
@@ -95,17 +101,19 @@ StillRequest finish(const std::shared_ptr<const Cloudscape>& cloudscape, StillBo
                     const StillLimits& limits) {
   settle(body.image);
   StillRequest request;
-  request.frame.cloudscape = under_sun(cloudscape, body.sun.sun);
+  request.frame.cloudscape = as_asked(cloudscape, body);
   request.frame.pose = body.camera.pose;
   request.frame.lens = body.camera.lens;
   request.frame.display = body.image.display;
+  request.frame.march = body.march;
   request.frame.size_px = body.image.size_px;
   request.frame.quality = render_quality(body.image.quality);
   request.frame.quality.samples = *body.image.samples;
   request.frame.time_s = body.image.time_s;
   request.encoding = body.image.encoding;
   request.frame.content = request.encoding.format == ImageFormat::exr ? FrameContent::radiance : FrameContent::display;
-  check_limits(body.image, request.frame.quality, prefix, limits);
+  check_limits(body.image, request.frame.quality, body.march.max_steps.value_or(request.frame.quality.max_steps),
+               prefix, limits);
   request.canonical = canonical_text(*request.frame.cloudscape, body);
   return request;
 }
@@ -146,7 +154,9 @@ std::string default_text(const std::string& path, const std::string& own) {
   const auto shown_as = field_names<Display>();
   const std::string name = path.substr(path.rfind('/') + 1);
   if (path.starts_with("/sun/")) return "the cloudscape's sun";
-  if (path.starts_with("/camera/") || std::find(shown_as.begin(), shown_as.end(), name) != shown_as.end())
+  if (path.starts_with("/medium/")) return "the cloudscape's medium";
+  if (path.starts_with("/camera/") || path.starts_with("/march/") ||
+      std::find(shown_as.begin(), shown_as.end(), name) != shown_as.end())
     return "the cloudscape's view";
   return name == "samples" ? "the quality's" : own;
 }

@@ -35,6 +35,7 @@ struct StreamView {
   CameraPose pose;
   Lens lens;
   Display display;
+  March march;
   ImageSize size_px;
   Quality quality = Quality::standard;  // that a resting view is refined to
   double time_s = 0;

@@ -16,8 +16,9 @@ bool same_cloudscape(const std::shared_ptr<const Cloudscape>& a, const std::shar
 }
 
 bool same_picture(const StreamView& a, const StreamView& b) {
-  return a.pose == b.pose && a.lens == b.lens && a.display == b.display && a.size_px == b.size_px &&
-         a.quality == b.quality && a.time_s == b.time_s && same_cloudscape(a.cloudscape, b.cloudscape);
+  return a.pose == b.pose && a.lens == b.lens && a.display == b.display && a.march == b.march &&
+         a.size_px == b.size_px && a.quality == b.quality && a.time_s == b.time_s &&
+         same_cloudscape(a.cloudscape, b.cloudscape);
 }
 
 }  // namespace
@@ -91,17 +92,9 @@ Work ViewerStream::take(Time now) {
 
 Work ViewerStream::next_frame(const RenderQuality& quality, const Encoding& encoding) const {
   Work work;
-  work.request = {view_.cloudscape,
-                  view_.pose,
-                  view_.lens,
-                  view_.display,
-                  view_.size_px,
-                  quality,
-                  view_.time_s,
-                  FrameContent::display,
-                  id_,
-                  sequence_,
-                  0};
+  work.request = {view_.cloudscape,      view_.pose,    view_.lens, view_.display,
+                  view_.march,           view_.size_px, quality,    view_.time_s,
+                  FrameContent::display, id_,           sequence_,  0};
   work.encoding = encoding;
   work.frame_id = next_frame_id_;
   work.pose_sequence = view_.pose_sequence;

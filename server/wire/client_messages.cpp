@@ -101,6 +101,7 @@ Settings read_settings(json message, const View& current) {
   keep("pose", body.view.pose, settings.pose);
   keep("lens", body.view.lens, settings.lens);
   keep("display", body.view.display, settings.display);
+  keep("march", body.view.march, settings.march);
   keep("quality", body.quality, settings.quality);
   keep("sun_azimuth_deg", body.sun.azimuth_deg, settings.sun_azimuth_deg);
   keep("sun_elevation_deg", body.sun.elevation_deg, settings.sun_elevation_deg);
@@ -143,6 +144,7 @@ ordered_json json_of(const Settings& settings) {
   add("pose", settings.pose);
   add("lens", settings.lens);
   add("display", settings.display);
+  add("march", settings.march);
   add("quality", settings.quality);
   if (settings.reset_sun) message["sun_azimuth_deg"] = message["sun_elevation_deg"] = nullptr;
   add("sun_azimuth_deg", settings.sun_azimuth_deg);

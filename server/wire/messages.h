@@ -20,8 +20,8 @@ constexpr std::string_view subprotocol = "cloudscape.v1";
 constexpr std::size_t max_client_message_bytes = 64 * 1024;  // a hello may carry a whole document
 
 // {"type":"hello","version":1,"cloudscape":"fair-weather-cumulus","size_px":[1280,720],...} and, as settings, any of
-// its members later. Absent members keep their value, those inside pose, lens and display too; in hello they start from
-// the document's `view`.
+// its members later. Absent members keep their value, those inside pose, lens, display and march too; in hello they
+// start from the document's `view`.
 struct Settings {
   std::optional<std::string> cloudscape;           // name; or
   std::optional<std::string> cloudscape_document;  // the JSON text of a whole document ("cloudscape": {...})
@@ -29,6 +29,7 @@ struct Settings {
   std::optional<CameraPose> pose;                  // "pose": {...}
   std::optional<Lens> lens;
   std::optional<Display> display;
+  std::optional<March> march;
   std::optional<Quality> quality;         // "quality": "standard"
   std::optional<double> sun_azimuth_deg;  // null resets to the document's
   std::optional<double> sun_elevation_deg;

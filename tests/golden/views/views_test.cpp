@@ -71,6 +71,7 @@ FrameRequest request_of(const View& view) {
   request.pose = request.cloudscape->view.pose;
   request.lens = request.cloudscape->view.lens;
   request.display = request.cloudscape->view.display;
+  request.march = request.cloudscape->view.march;
   request.size_px = {192, 108};
   request.quality = render_quality(Quality::standard);
   request.quality.samples = 4;

@@ -43,6 +43,8 @@ void change_each(T& value, const std::function<void()>& changed) {
     now(value + "x");
   else if constexpr (std::is_same_v<T, std::optional<double>>)
     now(0.5);
+  else if constexpr (std::is_same_v<T, std::optional<int>>)
+    now(7);
   else if constexpr (std::is_same_v<T, std::vector<Tower>>)
     now({Tower{}}), now({Tower{}, Tower{}});
   else

@@ -1,0 +1,23 @@
+// Line plots as SVG, for tables of times and of phase functions.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace cloudscape::bench {
+
+struct PlotLine {
+  std::string name;
+  std::vector<double> x, y;  // equally many; where y is not finite, or not above 0 on a logarithmic axis, it has a gap
+};
+
+struct LinePlot {
+  std::string title, x_label, y_label;
+  bool logarithmic_y = false;
+  std::vector<PlotLine> lines;  // at most 6
+};
+
+// A whole SVG document: axes with round ticks, a grid, one colour a line, a legend. Lines have no more than some
+// thousands of points. Text is escaped.
+std::string svg_of(const LinePlot& plot);
+
+}  // namespace cloudscape::bench
