@@ -106,7 +106,8 @@ TEST(ClientMessages, AreRefusedWithOneSentence) {
 }
 
 std::vector<std::string> valid_messages() {
-  Settings settings{"overcast", {},  ImageSize{640, 360}, CameraPose{}, Lens{}, Display{}, Quality::draft, 1.5, -2.0,
+  Settings settings{"overcast", {},      ImageSize{640, 360}, CameraPose{}, Lens{},
+                    Display{},  March{}, Quality::draft,      1.5,          -2.0,
                     false,      0.25};
   Settings reset;
   reset.reset_sun = true;
