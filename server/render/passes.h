@@ -11,8 +11,11 @@ class Passes {
  public:
   Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders);
   // Rows of the march target: the scene behind them, then the clouds. Both blocks must be bound.
-  void march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked, int row_begin,
-             int row_end) const;
+  struct Medium {
+    const bake::BakedCloudscape& baked;
+    const gpu::Texture& structure;
+  };
+  void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;
   // The whole picture into targets.scratch, averaged with `previous`.
   void composite(const Targets& targets, const Accumulation& previous) const;
   void tone_map(const Targets& targets, const Accumulation& accumulation) const;
