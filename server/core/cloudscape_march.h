@@ -37,7 +37,8 @@ struct March {
         "Length of the small step, m, the same at every distance; null: the quality's, which grow with the distance.");
     visit("large_step_m", self.large_step_m, Limits{0.1, 1e5},
           "Length of the large step, m; never longer than the structure's padding makes safe. null: that.");
-    visit("max_steps", self.max_steps, Limits{1, 16384}, "Greatest number of steps of a ray; null: the quality's.");
+    visit("max_steps", self.max_steps, Limits{1, 16384},
+          "Greatest number of steps of a ray, at most 65000 / (light_steps + 2); null: the quality's.");
     visit("max_distance_m", self.max_distance_m, Limits{1, 1e6}, "Where the march ends, m from the camera.");
     visit("lighting", self.lighting, Limits{},
           "Whether the sunlight is marched through the cloud; false: every point of it is lit alike.");

@@ -116,14 +116,15 @@ March march_layer(CameraRay ray, RayLight light, Stretch path, float jitter, flo
     walk.t = beyond_gap(walk.t + step_m, path);
     ++walk.steps;
   }
-  if (march.transmittance < stop_transmittance) march.transmittance = 0.0;
   return march;
 }
 
 March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmittance) {
   RayLight light = ray_light(ray.direction);
-  if (volume_kind() != volume_noise) return march_analytic(ray, light, path, jitter, stop_transmittance);
-  return march_layer(ray, light, path, jitter, stop_transmittance);
+  March march = volume_kind() == volume_noise ? march_layer(ray, light, path, jitter, stop_transmittance)
+                                              : march_analytic(ray, light, path, jitter, stop_transmittance);
+  if (march.transmittance < stop_transmittance) march.transmittance = 0.0;
+  return march;
 }
 
 // Beam and diffuse light together: transmittance of a conservative slab by the two-stream equations (Bohren 1987).

@@ -161,6 +161,7 @@ TEST_F(Scattering, LightFunctionsAreTheirFormulas) {
     const double first = henyey_greenstein(0, g) * std::exp(-d);
     EXPECT_NEAR(light_at({LightFunctionKind::single}, d, ray) / first, 1, 2e-3);
     LightFunction olajos{LightFunctionKind::olajos};
+    olajos.olajos_dark = glm::dvec3(0);
     olajos.olajos_attenuation = 0.3, olajos.olajos_in_scatter = 1.7, olajos.olajos_gain = 0.8;
     const double in_scattered = std::exp(-0.3 * d) * (1 - std::exp(-1.7 * d));
     EXPECT_NEAR(light_at(olajos, d, ray) / (first + 0.8 / (4 * std::numbers::pi) * in_scattered), 1, 2e-3);

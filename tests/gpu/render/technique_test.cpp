@@ -1,0 +1,199 @@
+// The switchable techniques of the march (Olajos 2.4, 2.5): each does what it says, and nothing else.
+#include <numeric>
+
+#include "fixture.h"
+#include "render/block_values.h"
+
+namespace cloudscape::render {
+namespace {
+
+using Technique = RenderTest;
+
+// A layer with air in it, fine enough that the structure leaves air free.
+Cloudscape scattered_clouds(double variation = 0) {
+  Cloudscape sky = small_clouds();
+  sky.volume.resolution = 64;
+  sky.shape.coverage = 0.2;
+  sky.shape.coverage_variation.amount = variation;
+  sky.ground.kind = GroundKind::none;
+  return sky;
+}
+
+FrameRequest small_steps(const Cloudscape& sky, const CameraPose& pose, bool structure) {
+  FrameRequest request = picture(sky, pose, {48, 27});
+  request.march.structure = structure;
+  request.march.step_m = 10;
+  request.march.max_steps = 16384;
+  request.march.max_distance_m = 30000;
+  return request;
+}
+
+double difference(const Frame& a, const Frame& b, int pixel) {
+  double largest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t at = 4 * static_cast<std::size_t>(pixel) + i;
+    largest = std::max<double>(largest, std::abs(a.radiance_rgba[at] - b.radiance_rgba[at]));
+  }
+  return largest;
+}
+
+int pixels_of(const Frame& frame) { return static_cast<int>(frame.depth_m.size()); }
+
+const CameraPose below{{500, 200, 60}, 30, 25, 0}, above{{0, 0, 5000}, 60, -20, 0}, inside{{900, 700, 1450}, 100, 3, 0},
+    grazing{{0, 0, 2590}, 200, -0.5, 0}, along_the_base{{0, 0, 1010}, 300, 0.5, 0};
+
+// Small steps lie at the same places with and without the structure, so that only a cloud that was missed can differ.
+// The threshold leaves room for the rounding of distances.
+TEST_F(Technique, StructureMissesNoCloud) {
+  for (const double variation : {0.0, 0.6}) {
+    for (const CameraPose& pose : {below, above, inside, grazing, along_the_base}) {
+      const Cloudscape sky = scattered_clouds(variation);
+      const Frame with = render(small_steps(sky, pose, true)), without = render(small_steps(sky, pose, false));
+      double sum = 0, cloud = 0;
+      for (int i = 0; i < pixels_of(with); ++i) {
+        EXPECT_LT(std::abs(opacity(with, i) - opacity(without, i)), 0.02)
+            << "altitude " << pose.position_m.z << ", " << i;
+        sum += difference(with, without, i);
+        cloud += opacity(without, i);
+      }
+      EXPECT_LT(sum / pixels_of(with), 1e-3) << "from an altitude of " << pose.position_m.z << " m";
+      EXPECT_GT(cloud / pixels_of(with), 0.02) << "nothing to miss";
+    }
+  }
+}
+
+TEST_F(Technique, LargeStepsAreNeverLongerThanThePaddingMakesSafe) {
+  const Cloudscape sky = scattered_clouds();
+  const bake::BakedCloudscape& baked = *stack().bakes.get(bake::bake_recipe(sky));
+  const double cell_m = 8000.0 / 64, longest_m = 2 * bake::structure_padding * cell_m;
+  FrameRequest request = small_steps(sky, below, true);
+  request.march.step_m.reset();
+  EXPECT_NEAR(cloud_block(request, baked).structure.x, longest_m, 0.05 * longest_m);
+  request.march.large_step_m = 100;
+  EXPECT_FLOAT_EQ(cloud_block(request, baked).structure.x, 100);
+  request.march.step_m = 30;
+  EXPECT_FLOAT_EQ(cloud_block(request, baked).structure.x, 90) << "a whole number of small steps";
+  request.march.large_step_m = 1e5;
+  EXPECT_LE(cloud_block(request, baked).structure.x, longest_m * 1.05);
+  request.march.structure = false;
+  EXPECT_EQ(cloud_block(request, baked).structure.x, 0);
+}
+
+TEST_F(Technique, LargeStepsAreShorterWhereTheLandBendsTheTile) {
+  const Cloudscape even = scattered_clouds(), bent = scattered_clouds(0.6);
+  const bake::BakedCloudscape& baked = *stack().bakes.get(bake::bake_recipe(even));
+  const CloudBlock straight = cloud_block(small_steps(even, below, true), baked);
+  const CloudBlock turned = cloud_block(small_steps(bent, below, true), baked);
+  EXPECT_LT(turned.structure.x, straight.structure.x);
+  EXPECT_EQ(straight.structure.y, 0);
+  EXPECT_GT(turned.structure.y, 0);
+}
+
+TEST_F(Technique, AdaptiveStepsGrowFromTheirBeginningOn) {
+  const Cloudscape sky = scattered_clouds();
+  const auto pictured = [&](bool adaptive, double start_m, double growth) {
+    FrameRequest request = small_steps(sky, below, true);
+    request.march.adaptive_step = adaptive;
+    request.march.adaptive_start_m = start_m;
+    request.march.adaptive_growth = growth;
+    return render(request).radiance_rgba;
+  };
+  const auto even = pictured(false, 0, 1);
+  EXPECT_EQ(pictured(true, 40000, 1), even) << "it begins behind the last cloud";
+  EXPECT_EQ(pictured(true, 0, 0), even) << "no growth";
+  EXPECT_NE(pictured(true, 0, 0.2), even);
+}
+
+// Pearson's correlation of the errors of pixels that are neighbours.
+double correlation_of_neighbours(const Frame& coarse, const Frame& fine, ImageSize size) {
+  std::vector<double> here, beside;
+  const auto error = [&](int pixel) { return opacity(coarse, pixel) - opacity(fine, pixel); };
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x + 1 < size.width; ++x)
+      here.push_back(error(y * size.width + x)), beside.push_back(error(y * size.width + x + 1));
+  const auto mean = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0) / v.size(); };
+  const double mean_here = mean(here), mean_beside = mean(beside);
+  double product = 0, square_here = 0, square_beside = 0;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    product += (here[i] - mean_here) * (beside[i] - mean_beside);
+    square_here += (here[i] - mean_here) * (here[i] - mean_here);
+    square_beside += (beside[i] - mean_beside) * (beside[i] - mean_beside);
+  }
+  return product / std::sqrt(square_here * square_beside);
+}
+
+// Olajos' figure 2.10: a thin even cloud, seen at a slant and in steps that are far too long, shows bands; a random
+// first step makes noise of them.
+TEST_F(Technique, RandomFirstStepTurnsBandsIntoNoise) {
+  Cloudscape sky = homogeneous(VolumeKind::gaussian, {-4000, 2000, 500}, glm::dvec3(8000), 4e-4);
+  const CameraPose pose{{0, -3000, 1500}, 0, 8, 0};
+  const ImageSize size{64, 36};
+  FrameRequest request = picture(sky, pose, size);
+  request.march.max_steps = 256;
+  const Frame fine = render(request);
+  request.march.max_steps = 2;
+  const Frame noisy = render(request);
+  request.march.random_first_step = false;
+  const Frame banded = render(request);
+  EXPECT_GT(correlation_of_neighbours(banded, fine, size), 0.9) << "bands";
+  EXPECT_LT(std::abs(correlation_of_neighbours(noisy, fine, size)), 0.7) << "noise";
+}
+
+// An opaque cloud without lighting shows the source function itself, whatever the phase function.
+TEST_F(Technique, WithoutLightingAllOfTheCloudIsLitAlike) {
+  Cloudscape sky = ball(200, 200);
+  FrameRequest request = one_ray(sky, {camera_m, 0, 0, 0});
+  request.march.lighting = false;
+  const double flat = 0.5 / std::numbers::pi;
+  EXPECT_NEAR(red(render(request)) / flat, 1, 0.01);
+  sky.sun.azimuth_deg = 0;
+  sky.medium.light_function.kind = LightFunctionKind::olajos;
+  sky.medium.light_function.olajos_dark = {0.25, 0, 0};
+  sky.medium.light_function.olajos_bright = {0.5, 0, 0};
+  request = one_ray(sky, {camera_m, 0, 0, 0});
+  request.march.lighting = false;
+  EXPECT_NEAR(red(render(request)) / (0.25 / std::numbers::pi + 0.5 * flat), 1, 0.01);
+}
+
+TEST_F(Technique, LightStepsAndLengthAreTheDocuments) {
+  const Cloudscape sky = ball(2000, 3, VolumeKind::gaussian);
+  const auto lit = [&](int steps) {
+    FrameRequest request = one_ray(sky, {{0, -5000, 1000}, 0, 0, 0});
+    request.march.max_steps = 256;
+    request.march.light_steps = steps;
+    return red(render(request));
+  };
+  const double fine = lit(128);
+  EXPECT_NEAR(lit(64) / fine, 1, 0.01);
+  EXPECT_GT(std::abs(lit(1) / fine - 1), 0.02);
+  Cloudscape layer = small_clouds();
+  FrameRequest near = picture(layer, {{0, 0, 100}, 0, 50, 0}, {24, 16}), far = near;
+  near.march.light_length_m = 20;
+  far.march.light_length_m = 2000;
+  const Frame bright = render(near), dark = render(far);
+  double near_sum = 0, far_sum = 0;
+  for (int i = 0; i < pixels_of(bright); ++i) near_sum += red(bright, i), far_sum += red(dark, i);
+  EXPECT_GT(near_sum, 1.1 * far_sum) << "less cloud stands before the sun";
+}
+
+// A software rasterizer leaves every loop of a shader once they have gone round 65535 times together.
+TEST_F(Technique, StepsAreNoMoreThanADeviceGoesThrough) {
+  const bake::BakedCloudscape& baked = *stack().bakes.get(bake::bake_recipe(small_clouds()));
+  FrameRequest request = small_steps(small_clouds(), below, true);
+  request.march.light_steps = 128;
+  const CloudBlock block = cloud_block(request, baked);
+  EXPECT_LE(block.steps.z * (block.steps.w + 2), 65535);
+  request.march.light_steps = 1;
+  EXPECT_EQ(cloud_block(request, baked).steps.z, 16384);
+}
+
+TEST_F(Technique, TheMarchEndsAtItsGreatestDistance) {
+  const Cloudscape sky = scattered_clouds();
+  FrameRequest request = small_steps(sky, inside, true);
+  request.march.max_distance_m = 3000;
+  const Frame frame = render(request);
+  for (const float depth : frame.depth_m) EXPECT_TRUE(depth <= 3000 || std::isinf(depth)) << depth;
+}
+
+}  // namespace
+}  // namespace cloudscape::render
