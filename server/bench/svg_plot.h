@@ -16,8 +16,9 @@ struct LinePlot {
   std::vector<PlotLine> lines;  // at most 6
 };
 
-// A whole SVG document: axes with round ticks, a grid, one colour a line, a legend. Lines have no more than some
-// thousands of points. Text is escaped.
+// A whole SVG document: axes with round ticks, a grid, one colour a line, a legend. A y axis that is not logarithmic
+// shows 0. Lines have no more than some thousands of points. Text is UTF-8 and is escaped. Throws
+// std::invalid_argument: too many lines, or a line with more x than y or the reverse.
 std::string svg_of(const LinePlot& plot);
 
 }  // namespace cloudscape::bench
