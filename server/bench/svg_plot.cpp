@@ -19,6 +19,7 @@ constexpr double letter_px = 7.4;  // tuned: mean width of a letter of 13 px, a 
 constexpr std::array<const char*, 6> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 constexpr const char* text_colour = "#222222";
 constexpr const char* grid_colour = "#dddddd";
+constexpr const char* mark_colour = "#888888";
 constexpr const char* faint_grid_colour = "#f0f0f0";
 
 std::string number(double value) {
@@ -181,6 +182,19 @@ std::string grid_of(const Layout& layout) {
          line_between(left, bottom, left, top, text_colour);
 }
 
+std::string marks_of(const LinePlot& plot, const Layout& layout) {
+  std::string svg;
+  for (const PlotMark& mark : plot.marks) {
+    const double share = layout.x.share(mark.x);
+    if (!(share >= 0 && share <= 1)) continue;
+    const std::string x = pixels(layout.px(share));
+    svg += "<path d=\"M" + x + " " + pixels(layout.py(0)) + "V" + pixels(layout.py(1)) + "\" stroke=\"" + mark_colour +
+           "\" stroke-dasharray=\"4 4\"/>\n" +
+           text_at(layout.px(share) + 6, layout.py(1) + 16, "font-style=\"italic\"", mark.name);
+  }
+  return svg;
+}
+
 // A point that stands alone between two gaps is a dot.
 std::string curve_of(const PlotLine& line, const Layout& layout, const std::string& colour) {
   std::string points;
@@ -222,7 +236,7 @@ std::string svg_of(const LinePlot& plot) {
                     "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" +
                     "<g font-family=\"sans-serif\" font-size=\"13\" fill=\"" + text_colour + "\">\n";
   svg += text_at(left_px, title_y_px, "font-size=\"17\" font-weight=\"bold\"", plot.title);
-  svg += grid_of(layout) + legend;
+  svg += grid_of(layout) + marks_of(plot, layout) + legend;
   svg += text_at(middle_px, height_px - 14, "text-anchor=\"middle\"", plot.x_label);
   svg += "<g transform=\"translate(20 " + pixels(middle_py) + ") rotate(-90)\">" +
          text_at(0, 4.5, "text-anchor=\"middle\"", plot.y_label) + "</g>\n</g>\n<g fill=\"none\">\n";

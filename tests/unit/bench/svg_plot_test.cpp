@@ -81,6 +81,15 @@ TEST(SvgPlot, ALongLegendWrapsAboveTheFrame) {
   EXPECT_THAT(curves(svg_of(plot))[0], HasSubstr("L936.0 94.0"));
 }
 
+TEST(SvgPlot, MarksStandWhereTheyBelong) {
+  LinePlot plot = plot_of({0, 10}, {1, 2});
+  plot.marks = {{5, "inside"}, {11, "beyond"}};
+  const std::string svg = svg_of(plot);
+  EXPECT_THAT(svg, HasSubstr("<path d=\"M510.0 480.0V74.0\""));
+  EXPECT_THAT(svg, HasSubstr(">inside<"));
+  EXPECT_THAT(svg, Not(HasSubstr("beyond")));
+}
+
 TEST(SvgPlot, TextIsEscaped) {
   LinePlot plot = plot_of({0, 1}, {1, 2});
   plot.title = "a < b & \"c\" > d\x01";
