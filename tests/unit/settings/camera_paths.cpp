@@ -1,5 +1,6 @@
 // Camera paths: the spline goes through its keys, smoothly, the short way round.
 #include <cmath>
+#include <map>
 
 #include "settings/camera_path.h"
 #include "settings/text_file.h"
@@ -203,6 +204,42 @@ TEST(PathSections, AreRefusedWhereTheyContradictThePath) {
   EXPECT_EQ(sentence(with_sections(R"({"name": "a", "end_s": 5}, {"name": "a", "begin_s": 5, "end_s": 9})")),
             "/sections/1/name is \"a\": must be a name that no section before has");
   EXPECT_EQ(sentence(with_sections(R"({"name": "a", "end": 5})")).substr(0, 15), "/sections/0/end");
+}
+
+// The towers of the sky that the track is made for (east, north; repeated every 8 km) and the layer's base, m.
+constexpr double towers_m[3][2] = {{2400, 4800}, {5760, 2400}, {5200, 6240}};
+constexpr double base_m = 900, top_m = 3400;
+
+double nearest_tower_m(const glm::dvec3& position_m) {
+  double nearest_m = 1e9;
+  for (const auto& tower : towers_m)
+    nearest_m = std::min(nearest_m, std::hypot(std::remainder(position_m.x - tower[0], 8000),
+                                               std::remainder(position_m.y - tower[1], 8000)));
+  return nearest_m;
+}
+
+TEST(TestTrack, ShowsInEachSectionWhatItsNameSays) {
+  const CameraPath path = find_camera_path("test-track");
+  std::map<std::string, int> frames;
+  for (double time_s = path.keys.front().time_s; time_s < path.keys.back().time_s; time_s += 0.1) {
+    const auto* section = section_at(path, time_s);
+    if (!section) continue;
+    ++frames[section->name];
+    const CameraPose pose = at(path, time_s);
+    const double altitude_m = pose.position_m.z, tower_m = nearest_tower_m(pose.position_m);
+    if (section->name == "below") {
+      EXPECT_TRUE(altitude_m < base_m && pose.elevation_deg > 10) << time_s;
+    } else if (section->name == "inside") {
+      EXPECT_TRUE(altitude_m > base_m && altitude_m < top_m && tower_m < 400) << time_s;
+    } else if (section->name == "above") {
+      EXPECT_TRUE(altitude_m > top_m - 100 && pose.elevation_deg < -15) << time_s;
+    } else {
+      EXPECT_GT(tower_m, 2500) << time_s;
+    }
+  }
+  ASSERT_EQ(frames.size(), 4u);
+  for (const auto& [name, count] : frames) EXPECT_GE(count, 140) << name;
+  EXPECT_EQ(section_at(path, 60)->name, "beside, far away");
 }
 
 TEST(NamedPath, IsFoundByNameOrByFile) {
