@@ -52,7 +52,7 @@ std::function<void(double)> track_progress() {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   return [terminal, last = -1](double share) mutable {
     const int percent = static_cast<int>(100 * share);
-    if (percent == last || (!terminal && percent % 10 != 0)) return;
+    if (terminal ? percent == last : percent / 10 == last / 10 && last >= 0) return;
     last = percent;
     std::fprintf(stderr, "%sflying along the track: %d %%%s", terminal ? "\r" : "", percent,
                  percent == 100 || !terminal ? "\n" : "");

@@ -54,7 +54,7 @@ std::string title_of(const std::string& number, const ThesisTable& table) {
 std::vector<Figure> track_figures(const TrackTimes& track) {
   constexpr const char* figure_numbers[] = {"3.1", "3.2", "3.4", "3.5"};  // of tables 3.1 to 3.4
   std::vector<Figure> figures;
-  for (const TimeKind kind : {TimeKind::wall, TimeKind::device}) {
+  for (const TimeKind kind : time_kinds) {
     if (!has_times(track, kind)) continue;
     const std::string ending = "-" + std::string(name_of(kind)) + ".svg";
     for (std::size_t i = 0; i < thesis_tables().size(); ++i) {

@@ -19,7 +19,7 @@ std::string track_tables(const TrackTimes& track);
 std::string track_json(const TrackTimes& track, const Machine& machine);
 
 // Figures 3.1, 3.2, 3.4 and 3.5: times along the track. In place of 3.3, a picture, the ratio of 3.2's two curves.
-// File name and plot; a figure of which a variant is missing is left out. Device times only where there are some.
+// File name and plot; a figure of which a variant is missing is left out. One of each kind of time that there is.
 struct Figure {
   std::string file;
   LinePlot plot;

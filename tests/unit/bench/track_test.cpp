@@ -191,23 +191,24 @@ TEST(TrackJson, HoldsMachineTablesSectionsAndEveryFrame) {
 
 TEST(TrackFigures, AreOfWhatWasMeasured) {
   const auto figures = track_figures(made_up());
-  ASSERT_EQ(figures.size(), 2u);
+  ASSERT_EQ(figures.size(), 3u);
   EXPECT_EQ(figures[0].file, "figure-3.1-wall.svg");
   EXPECT_EQ(figures[1].file, "figure-3.1-device.svg");
+  EXPECT_EQ(figures[2].file, "figure-3.1-cpu.svg");
   const LinePlot& plot = figures[0].plot;
   ASSERT_EQ(plot.lines.size(), 2u);
   EXPECT_THAT(plot.lines[1].y, ElementsAre(40, 60, 30, 40));
   ASSERT_EQ(plot.marks.size(), 2u);
   EXPECT_EQ(plot.marks[1].name, "above");
   EXPECT_EQ(plot.marks[1].x, 30);
-  EXPECT_EQ(track_figures(made_up(false)).size(), 1u) << "no device times, no plot of them";
+  EXPECT_EQ(track_figures(made_up(false)).size(), 2u) << "no device times, no plot of them";
 }
 
 TEST(TrackFigures, InPlaceOfTheThesisPictureTheRatioOfTheCurves) {
   TrackTimes track = made_up();
   track.variants[1].variant = adaptive_on;
   const auto figures = track_figures(track);
-  ASSERT_EQ(figures.size(), 4u);
+  ASSERT_EQ(figures.size(), 6u);
   EXPECT_EQ(figures[1].file, "figure-3.3-wall.svg");
   EXPECT_THAT(figures[1].plot.lines[0].y, ElementsAre(2, 2, 3, 1));
 }
