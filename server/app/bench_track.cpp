@@ -33,7 +33,9 @@ struct Results {
 void make_folder(const fs::path& folder, const std::string& option) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InvalidInput(option, "cannot be made as a folder, " + folder.string() + ": " + error.message());
+  if (error)
+    throw InvalidInput(option, "needs the folder '" + folder.string() + "', which cannot be made (" + error.message() +
+                                   "): choose another place");
 }
 
 // Makes the folders, so that a long run does not end without a place for what it found.
