@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct TrackOptions {
   GpuOptions gpu;
-  std::string cloudscape = "fair-weather-cumulus", path = "test-track", size = "1280x720", variants = "all";
+  std::string cloudscape = "config/stills/thesis.json", path = "test-track", size = "1280x720", variants = "all";
   std::string output, plots;
   int frames = 200;
 };
@@ -79,7 +79,7 @@ bench::TrackTimes measure(const TrackOptions& options, const Cloudscape& cloudsc
   bench::TrackTimes track = bench::run_track(
       path, requests, run, [&](const FrameRequest& request) { return bench::timed_frame(stack.renderer, request); });
   for (std::size_t i = 0; i < variants.size(); ++i) track.variants[i].variant = variants[i];
-  track.cloudscape = options.cloudscape, track.path = options.path, track.size_px = size;
+  track.cloudscape = options.cloudscape, track.path = options.path;
   return track;
 }
 

@@ -79,7 +79,7 @@ std::string track_json(const TrackTimes& track, const Machine& machine) {
                       {"cloudscape", track.cloudscape},
                       {"path", track.path},
                       {"size_px", {track.size_px.width, track.size_px.height}},
-                      {"base_march", settings::write(track_request({}, track.size_px, TrackVariant::base).march)},
+                      {"base_march", settings::write(track.base_march)},
                       {"tables", std::move(tables)},
                       {"variants", std::move(variants)},
                       {"frames", {{"time_s", track.time_s}, {"section", track.sections}}}};

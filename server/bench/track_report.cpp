@@ -79,8 +79,11 @@ std::string section_table(const TrackTimes& track, TimeKind kind) {
 }  // namespace
 
 std::string track_tables(const TrackTimes& track) {
-  std::string text = formatted("%zu frames of %dx%d along %s, of %s\n\n", track.time_s.size(), track.size_px.width,
+  const March& march = track.base_march;
+  std::string text = formatted("%zu frames of %dx%d along %s, of %s\n", track.time_s.size(), track.size_px.width,
                                track.size_px.height, track.path.c_str(), track.cloudscape.c_str());
+  text += formatted("steps of %g and %g m, to %g m; adaptive from %g m on\n\n", march.step_m.value_or(0),
+                    march.large_step_m.value_or(0), march.max_distance_m, march.adaptive_start_m);
   for (const ThesisTable& table : thesis_tables())
     if (measured(track, table)) text += table_text(track, table);
   text += section_table(track, TimeKind::wall) + "\n" + section_table(track, TimeKind::cpu) + "\n";

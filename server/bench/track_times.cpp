@@ -53,6 +53,7 @@ TrackTimes empty_times(const settings::CameraPath& path, std::size_t variants, i
 TrackTimes run_track(const settings::CameraPath& path, const std::vector<FrameRequest>& variants, const TrackRun& run,
                      const Draw& draw) {
   TrackTimes track = empty_times(path, variants.size(), run.frames);
+  track.size_px = variants.front().size_px, track.base_march = variants.front().march;
   for (const FrameRequest& variant : variants)
     for (int i = 0; i < run.warm_up; ++i) draw(request_at(variant, path.keys.front()));
   for (std::size_t frame = 0; frame < track.time_s.size(); ++frame) {

@@ -37,6 +37,7 @@ struct VariantTimes {
 struct TrackTimes {
   std::string cloudscape, path;
   ImageSize size_px;
+  March base_march;
   std::vector<double> time_s;         // of each frame on the path
   std::vector<std::string> sections;  // of each frame; "" in none
   std::vector<VariantTimes> variants;

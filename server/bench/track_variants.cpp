@@ -23,16 +23,17 @@ TrackVariant variant_of(const std::string& name) {
 }
 
 March thesis_march(March march) {
+  const double unit_m = march.step_m.value_or(20.0);  // tuned: fine enough for the presets, and 500 reach far
   march.structure = march.random_first_step = march.lighting = true;
   march.adaptive_step = false;
-  march.step_m = thesis_unit_m;
-  march.large_step_m = 20 * thesis_unit_m;
-  march.max_distance_m = 500 * thesis_unit_m;
+  march.step_m = unit_m;
+  march.large_step_m = 20 * unit_m;
+  march.max_distance_m = 500 * unit_m;
   march.max_steps = 576;  // 500 small steps, and room for the steps back at the structure's cells
   march.light_steps = 6;
   // "More than 100 units away they increase with 1 unit each unit" (3.2) would, read as a growth of 1, make the step at
   // the march's end longer than all clouds. With 0.05 it is 21 units there, as long as the large step.
-  march.adaptive_start_m = 100 * thesis_unit_m;
+  march.adaptive_start_m = 100 * unit_m;
   march.adaptive_growth = 0.05;
   return march;
 }

@@ -23,14 +23,12 @@ struct EnumNames<bench::TrackVariant> {
 
 namespace cloudscape::bench {
 
-constexpr double thesis_unit_m = 20.0;  // what a unit of the thesis is taken for
-
 // A comma-separated list of names, or "all". The base comes first, named or not. Throws InvalidInput.
 std::vector<TrackVariant> variants_of(const std::string& text);
 
 // Everything but pose, field of view and time: the thesis' step lengths and techniques, every pixel marched once, and
 // what the variant changes. Base: structure, random first step, light and Henyey-Greenstein on, steps of 1 and 20 units
-// to 500 units (Olajos 2.4.1, 3.2).
+// to 500 units (Olajos 2.4.1, 3.2). A unit is the cloudscape's own small step, or 20 m where it has none.
 FrameRequest track_request(const Cloudscape& cloudscape, ImageSize size_px, TrackVariant variant);
 
 // A figure of the thesis' tables. The thesis: GeForce GTX 680, 1280x720, mean over the track.

@@ -59,6 +59,16 @@ TEST(TrackVariants, TheBaseHasTheThesisSettings) {
   EXPECT_FALSE(request.quality.smooth);
 }
 
+TEST(TrackVariants, AUnitIsTheCloudscapesOwnSmallStep) {
+  Cloudscape cloudscape;
+  cloudscape.view.march.step_m = 12.5;
+  const March march = track_request(cloudscape, {64, 36}, base).march;
+  EXPECT_EQ(march.step_m, 12.5);
+  EXPECT_EQ(march.large_step_m, 250);
+  EXPECT_EQ(march.max_distance_m, 6250);
+  EXPECT_EQ(march.adaptive_start_m, 1250);
+}
+
 TEST(TrackVariants, EachChangesOneThing) {
   const FrameRequest first = track_request({}, {64, 36}, base);
   const auto changed = [&](TrackVariant variant) {
@@ -102,6 +112,8 @@ TEST(TrackRun, DrawsVariantBesideVariantInTurningOrder) {
   const TrackTimes track = run_track(path_of_40_s(), requests({base, structure_off, light_off}), run,
                                      [&](const FrameRequest& request) { return recorder(request); });
   EXPECT_THAT(track.time_s, ElementsAre(5, 15, 25, 35));
+  EXPECT_EQ(track.size_px.width, 64);
+  EXPECT_TRUE(track.base_march.structure);
   EXPECT_THAT(track.sections, ElementsAre("below", "below", "", "above"));
   EXPECT_THAT(progress, ElementsAre(0.25, 0.5, 0.75, 1));
   ASSERT_EQ(recorder.drawn.size(), 3u * 2 + 4 * (1 + 3));
@@ -134,7 +146,9 @@ TEST(TrackStatistics, PairFrameWithFrame) {
 // Two frames below, one in no section, one above; the structure saves half below and nothing above.
 TrackTimes made_up(bool device_timers = true) {
   const double device = device_timers ? 0.5 : 0;
-  TrackTimes track{"sky", "track", {640, 360}, {5, 15, 25, 35}, {"below", "below", "", "above"}, {}};
+  TrackTimes track{
+      "sky", "track", {640, 360}, track_request({}, {}, base).march, {5, 15, 25, 35}, {"below", "below", "", "above"},
+      {}};
   track.variants.push_back({base, {{20, 20 * device, 40}, {30, 30 * device, 60}, {10, 5, 20}, {40, 20, 80}}});
   track.variants.push_back(
       {structure_off, {{40, 40 * device, 80}, {60, 60 * device, 120}, {30, 15, 60}, {40, 20, 80}}});
@@ -152,6 +166,7 @@ std::string line_with(const std::string& text, const std::string& start) {
 TEST(TrackTables, StandBesideTheThesis) {
   const std::string text = track_tables(made_up());
   EXPECT_THAT(text, HasSubstr("4 frames of 640x360 along track, of sky"));
+  EXPECT_THAT(text, HasSubstr("steps of 20 and 400 m, to 10000 m; adaptive from 2000 m on"));
   EXPECT_THAT(text, HasSubstr("Table 3.1: preprocessed cloud structure"));
   EXPECT_THAT(line_with(text, "on "), testing::ContainsRegex("on +25.00 +20.00 +40.00 +12.50 +10.00 +20.00 .* 23.73$"));
   EXPECT_THAT(line_with(text, "off "), testing::ContainsRegex("off +42.50 +40.00 +60.00 .* 56.16$"));
