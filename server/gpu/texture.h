@@ -24,7 +24,8 @@ class Texture {
   Texture(Texture&& other) noexcept;
   Texture& operator=(Texture&& other) noexcept;
 
-  void sample_with(Filter filter, Wrap wrap);         // default: nearest, clamp
+  void sample_with(Filter filter, Wrap wrap);  // default: nearest, clamp
+  void sample_with(Filter filter, Wrap across, Wrap other_axes);
   void upload(std::span<const std::uint8_t> texels);  // all texels, tightly packed, in the texture's own format
   std::vector<std::uint8_t> download() const;         // the same; waits for the device
   void clear();                                       // to zero
