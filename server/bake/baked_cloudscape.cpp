@@ -1,6 +1,7 @@
 #include "bake/baked_cloudscape.h"
 
 #include <algorithm>
+#include <glm/gtc/packing.hpp>
 
 namespace cloudscape::bake {
 namespace {
@@ -21,17 +22,21 @@ float mixed_shape(const std::uint8_t* texel, const std::array<double, 3>& weight
   return static_cast<float>(texel[0] / 255.0 * modulation);
 }
 
-BakedCloudscape::Extent extent_of(const std::vector<std::uint8_t>& shape, int side,
-                                  const std::array<double, 3>& weights) {
-  const std::size_t columns = static_cast<std::size_t>(side) * side;
+float half_at(const std::vector<std::uint8_t>& texels, std::size_t index) {
+  return glm::unpackHalf1x16(static_cast<std::uint16_t>(texels[2 * index] | texels[2 * index + 1] << 8));
+}
+
+// `value(i)`: the shape at texel i of side^3.
+BakedCloudscape::Extent extent_of(int side, auto&& value) {
+  const std::size_t columns = static_cast<std::size_t>(side) * side, texels = columns * side;
   BakedCloudscape::Extent extent{std::vector<float>(columns, 0.0F),
                                  std::vector<float>(static_cast<std::size_t>(side), 0.0F)};
-  for (std::size_t texel = 0; texel < shape.size() / 4; ++texel) {
-    const float value = mixed_shape(&shape[4 * texel], weights);
+  for (std::size_t texel = 0; texel < texels; ++texel) {
+    const float shape = value(texel);
     float& column = extent.column_maxima[texel % columns];
     float& slice = extent.slice_maxima[texel / columns];
-    column = std::max(column, value);
-    slice = std::max(slice, value);
+    column = std::max(column, shape);
+    slice = std::max(slice, shape);
   }
   std::sort(extent.column_maxima.begin(), extent.column_maxima.end());
   return extent;
@@ -39,18 +44,26 @@ BakedCloudscape::Extent extent_of(const std::vector<std::uint8_t>& shape, int si
 
 }  // namespace
 
+gpu::Format shape_texture_format(VolumeFormat format) {
+  return format == VolumeFormat::r16f ? Format::r16f : Format::rgba8;
+}
+
 BakedCloudscape::BakedCloudscape(const BakedTexels& texels)
-    : shape_(uploaded(Format::rgba8, texels.recipe.resolution, texels.recipe.resolution, texels.shape, "shape")),
+    : shape_(uploaded(shape_texture_format(texels.recipe.format), texels.recipe.resolution, texels.recipe.resolution,
+                      texels.shape, "shape")),
       detail_(uploaded(Format::rgba8, texels.recipe.detail_resolution, texels.recipe.detail_resolution, texels.detail,
                        "detail")),
       variation_(uploaded(Format::rgba16f, variation_resolution, 1, texels.variation, "variation")),
+      shape_format_(texels.recipe.format),
       texels_(texels.shape) {}
 
 const BakedCloudscape::Extent& BakedCloudscape::extent(const std::array<double, 3>& weights) const {
-  if (extent_.slice_maxima.empty() || weights != weights_) {
-    extent_ = extent_of(texels_, shape_.width(), weights);
-    weights_ = weights;
-  }
+  const bool mixed = shape_format_ == VolumeFormat::r16f;
+  if (!extent_.slice_maxima.empty() && (mixed || weights == weights_)) return extent_;
+  weights_ = weights;
+  extent_ =
+      mixed ? extent_of(shape_.width(), [&](std::size_t texel) { return half_at(texels_, texel); })
+            : extent_of(shape_.width(), [&](std::size_t texel) { return mixed_shape(&texels_[4 * texel], weights); });
   return extent_;
 }
 

@@ -29,14 +29,21 @@ std::shared_ptr<const BakedCloudscape> BakeStore::keep(const std::string& key, c
   return entries_.front().baked;
 }
 
+// Whoever left a bake unfinished may have gone for good.
+void BakeStore::make_room_for_a_job() {
+  constexpr std::size_t most_jobs = 4;
+  if (jobs_.size() < most_jobs) return;
+  jobs_.erase(std::ranges::min_element(jobs_, {}, [](const auto& entry) { return entry.second.advanced; }));
+}
+
 void BakeStore::advance(const BakeRecipe& recipe) {
   const std::string key = bake_key(recipe);
-  std::unique_ptr<BakeJob>& job = jobs_[key];
-  if (!job) {
-    constexpr std::size_t most_jobs = 4;  // whoever left a bake unfinished may have gone for good
-    if (jobs_.size() > most_jobs) jobs_.erase(jobs_.begin()->first == key ? std::next(jobs_.begin()) : jobs_.begin());
-    job = std::make_unique<BakeJob>(baker_, recipe);
+  if (!jobs_.contains(key)) {
+    make_room_for_a_job();
+    jobs_[key].job = std::make_unique<BakeJob>(baker_, recipe);
   }
+  jobs_[key].advanced = ++advances_;
+  BakeJob* job = jobs_[key].job.get();
   const bool done = job->advance();
   if (!done) {
     if (progress_) progress_(recipe, std::min(job->progress(), 0.999));

@@ -42,14 +42,17 @@ void set_light_function(CloudBlock& block, const LightFunction& light) {
   block.olajos = {light.olajos_attenuation, light.olajos_in_scatter, light.olajos_gain, 0};
 }
 
-std::array<double, 3> weights_of(const Noise& noise) {
+// A shape of one channel is mixed when it is baked; the channels that it has not read as 0, 0 and 1.
+std::array<double, 3> weights_of(const Cloudscape& sky) {
+  const Noise& noise = sky.noise;
+  if (sky.volume.format == VolumeFormat::r16f) return {};
   return {noise.channels[1].weight, noise.channels[2].weight, noise.channels[3].weight};
 }
 
 double threshold_of(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
   const double mean_erosion = 0.5 * sky.detail.strength;  // shaders/render/medium.glsl
   if (sky.shape.threshold) return *sky.shape.threshold;
-  return baked.threshold_for(sky.shape.coverage, weights_of(sky.noise)) - mean_erosion;
+  return baked.threshold_for(sky.shape.coverage, weights_of(sky)) - mean_erosion;
 }
 
 // Half of how far the threshold swings. tuned: half the threshold is enough to open and close the sky.
@@ -59,19 +62,19 @@ double swing_of(const CoverageVariation& slow) { return slow.amount * 0.25; }
 glm::dvec2 cloud_altitudes_m(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
   const Volume& volume = sky.volume;
   const double lowest_threshold = threshold_of(sky, baked) - swing_of(sky.shape.coverage_variation);
-  const bake::HeightRange range = bake::heights_above(baked.extent(weights_of(sky.noise)), lowest_threshold);
+  const bake::HeightRange range = bake::heights_above(baked.extent(weights_of(sky)), lowest_threshold);
   return {volume.origin_m.z + range.low * volume.size_m.z, volume.origin_m.z + range.high * volume.size_m.z};
 }
 
 void set_shape(CloudBlock& block, const FrameRequest& request, const bake::BakedCloudscape& baked) {
   const Cloudscape& sky = *request.cloudscape;
   const glm::dvec2 at_m = drifted(request);
-  const auto& channels = sky.noise.channels;
+  const std::array<double, 3> weights = weights_of(sky);
   const CoverageVariation& slow = sky.shape.coverage_variation;
   // tuned: half the threshold is enough to open and close the sky; a third of a tile hides repetition without smearing
   // shapes.
   block.shape = {threshold_of(sky, baked), sky.shape.edge_softness, 2 * swing_of(slow), sky.volume.tiling ? 0.35 : 0.0};
-  block.weights = {1, channels[1].weight, channels[2].weight, channels[3].weight};
+  block.weights = {1, weights[0], weights[1], weights[2]};
   const double period_m = 4 * slow.wavelength_m;  // shaders/bake/variation.comp
   block.variation = {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), 0};
   block.detail = {1 / sky.detail.period_m, fraction(at_m.x / sky.detail.period_m),

@@ -110,5 +110,22 @@ TEST_F(Store, FinishesManyBakesInTurn) {
   for (const auto& one : baked) EXPECT_TRUE(one);
 }
 
+// Four are baked at a time. Which one of them begins anew for a fifth is seen in its progress: each has four slabs.
+TEST_F(Store, GivesUpTheBakeThatWasAdvancedTheLongestAgo) {
+  BakeStore store = make();
+  const auto share_after_advance = [&](std::uint32_t seed) {
+    store.advance(slow_recipe(seed));
+    return progress_.back();
+  };
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) share_after_advance(seed);
+  for (const std::uint32_t seed : {3U, 1U, 4U}) EXPECT_EQ(share_after_advance(seed), std::pair(seed, 0.5));
+  share_after_advance(5);  // takes the place of 2
+  for (const std::uint32_t seed : {3U, 1U, 4U}) EXPECT_EQ(share_after_advance(seed), std::pair(seed, 0.75));
+  EXPECT_EQ(share_after_advance(2), std::pair(2U, 0.25));  // takes the place of 5
+  EXPECT_EQ(share_after_advance(5), std::pair(5U, 0.25));  // takes the place of 3
+  store.advance(slow_recipe(1));
+  EXPECT_TRUE(store.find(slow_recipe(1)));
+}
+
 }  // namespace
 }  // namespace cloudscape::bake
