@@ -21,17 +21,19 @@ ImageSize finest_size(ImageSize size_px) {
   return divided(size_px, std::max(1, divisor));
 }
 
-// Variance, in texels^2, of shrinking a picture to texels (a box: 1/12) and of interpolating it back through the levels
-// that are finer: each doubling has the weights 1/8 3/8 3/8 1/8 at -3/4 -1/4 1/4 3/4, and the last step is a tent
-// (1/6).
-double filter_variance(int level) {
-  const double last = std::pow(0.25, level);
-  return 1.0 / 12 + 0.25 * (1 - last) + last / 6;
+// Variance, in texels^2 of a level, of shrinking the picture to it (a box: 1/12) and of interpolating it back through
+// the finer levels: each doubling has the weights 1/8 3/8 3/8 1/8 at -3/4 -1/4 1/4 3/4, and the last step is a tent
+// (1/6). A box or a tent over n pixels has 1 - 1/n^2 of that. `finest_px`: pixels of the picture a texel of the finest
+// level.
+double filter_variance(int level, double finest_px) {
+  const double finest = std::pow(0.25, level);  // area of a texel of the finest level
+  const auto of_pixels = [](double side_px) { return 1 - 1 / (side_px * side_px); };
+  return of_pixels(finest_px / std::sqrt(finest)) / 12 + 0.25 * (1 - finest) + finest * of_pixels(finest_px) / 6;
 }
 
 // A Gaussian that has this standard deviation (texels) together with the filters.
-std::array<double, 8> kernel_of(double deviation, int level) {
-  const double variance = std::max(0.01, deviation * deviation - filter_variance(level));
+std::array<double, 8> kernel_of(double deviation, double filtered) {
+  const double variance = std::max(0.01, deviation * deviation - filtered);
   std::array<double, 8> weights{};
   double sum = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -83,8 +85,9 @@ BloomPlan bloom_plan(ImageSize size_px, double radius) {
     if (!plan.blurs.empty()) next_level();
     while (deviation_px * scale_of(plan.sizes.back().height, size_px.height) >= 2 * least_deviation) next_level();
     const int level = static_cast<int>(plan.sizes.size()) - 1;
-    const auto horizontal = kernel_of(deviation_px * scale_of(plan.sizes.back().width, size_px.width), level);
-    const auto vertical = kernel_of(deviation_px * scale_of(plan.sizes.back().height, size_px.height), level);
+    const double filtered = filter_variance(level, static_cast<double>(size_px.height) / plan.sizes[0].height);
+    const auto horizontal = kernel_of(deviation_px * scale_of(plan.sizes.back().width, size_px.width), filtered);
+    const auto vertical = kernel_of(deviation_px * scale_of(plan.sizes.back().height, size_px.height), filtered);
     plan.blurs.push_back(
         {level, gaussian.share, horizontal, vertical, std::max(taps_of(horizontal), taps_of(vertical))});
   }

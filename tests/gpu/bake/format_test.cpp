@@ -23,7 +23,8 @@ BakeRecipe mixed_recipe(int resolution = 16) {
 
 std::vector<float> shape_of(const BakedTexels& texels) {
   std::vector<float> shape;
-  for (const std::uint16_t half : gpu::as_numbers<std::uint16_t>(texels.shape)) shape.push_back(glm::unpackHalf1x16(half));
+  for (const std::uint16_t half : gpu::as_numbers<std::uint16_t>(texels.shape))
+    shape.push_back(glm::unpackHalf1x16(half));
   return shape;
 }
 
@@ -43,7 +44,8 @@ TEST_F(ShapeFormat, MixesWhenItIsBakedWhatTheOtherMixesWhenItIsSampled) {
       weight_sum += weights[c];
     }
     const double shape = texel[0] / 255.0, code = 0.55 / 255;
-    const double tolerance = code * (std::abs(modulation) + weight_sum * (shape + code)) + shape * modulation * 0x1p-11 + 1e-6;
+    const double tolerance =
+        code * (std::abs(modulation) + weight_sum * (shape + code)) + shape * modulation * 0x1p-11 + 1e-6;
     ASSERT_NEAR(mixed[i], shape * modulation, tolerance) << i;
     largest = std::max(largest, mixed[i]);
   }
