@@ -1,6 +1,7 @@
 // `cloudscape bake`: the textures of a cloudscape as EXR slice atlases, or only into the cache.
 #include <fstream>
 
+#include "app/bake_cost.h"
 #include "app/commands.h"
 #include "app/gpu_stack.h"
 #include "core/error.h"
@@ -15,6 +16,7 @@ namespace {
 struct BakeOptions {
   GpuOptions gpu;
   std::string cloudscape, folder;
+  bool verbose = false;
 };
 
 void write(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
@@ -30,6 +32,7 @@ int run_bake(const BakeOptions& options) {
   const auto cloudscape = settings::find_cloudscape(library, options.cloudscape);
   GpuStack stack(options.gpu, progress_on_stderr());
   const bake::BakeRecipe recipe = bake::bake_recipe(*cloudscape);
+  if (options.verbose) print_bake_costs(stack, options.gpu, *cloudscape);
   const bake::BakedTexels texels = stack.bakes.texels(recipe);
   if (options.folder.empty()) return 0;
   std::filesystem::create_directories(options.folder);
@@ -37,7 +40,8 @@ int run_bake(const BakeOptions& options) {
                                                       {"bakeKey", bake::bake_key(recipe)},
                                                       {"program", std::string("cloudscape ") + version}};
   const std::filesystem::path folder = options.folder;
-  write(folder / "shape.exr", encode::slice_atlas_exr(texels.shape, recipe.resolution, recipe.resolution, attributes));
+  write(folder / "shape.exr",
+        encode::slice_atlas_exr(texels.shape, recipe.resolution, recipe.resolution, attributes, recipe.format));
   write(folder / "detail.exr",
         encode::slice_atlas_exr(texels.detail, recipe.detail_resolution, recipe.detail_resolution, attributes));
   std::printf("%s/shape.exr %s/detail.exr\n", options.folder.c_str(), options.folder.c_str());
@@ -51,6 +55,8 @@ void add_bake(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand("bake", "Bake a cloudscape's textures into the cache, and into files");
   command->add_option("cloudscape", options->cloudscape, "Name of a cloudscape, or a document's path")->required();
   command->add_option("--out", options->folder, "Folder for shape.exr and detail.exr, slices side by side");
+  command->add_flag("--verbose", options->verbose,
+                    "Bake in both volume formats and tell what each costs: texels, bytes, times");
   add_gpu_options(*command, options->gpu);
   command->callback([options, &run] { run = [options] { return run_bake(*options); }; });
 }

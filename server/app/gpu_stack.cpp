@@ -18,9 +18,9 @@ gpu::ContextOptions context_options(const GpuOptions& options) {
   return {options.egl_device, options.require_gpu, gpu::pass_execution_from(options.pass_execution)};
 }
 
-std::uint64_t bytes_of_mib(double mib) { return static_cast<std::uint64_t>(mib * bytes_per_mib); }
-
 }  // namespace
+
+std::uint64_t bytes_of_mib(double mib) { return static_cast<std::uint64_t>(mib * bytes_per_mib); }
 
 void add_gpu_options(CLI::App& command, GpuOptions& options) {
   command

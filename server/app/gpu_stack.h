@@ -24,6 +24,7 @@ struct GpuOptions {
 // --egl-device, --require-gpu, --pass-execution, --shader-dir, --cache-dir, --cache-limit-mib, --log-level
 void add_gpu_options(CLI::App& command, GpuOptions& options);
 
+std::uint64_t bytes_of_mib(double mib);
 std::filesystem::path cache_folder(const std::string& cache_dir);
 
 struct GpuStack {

@@ -14,7 +14,8 @@ namespace cloudscape::app {
 namespace {
 
 // The command line trusts its user further than the server trusts a stranger.
-constexpr settings::StillLimits limits{.max_side_px = 16384, .max_megapixels = 134.3, .max_gigasteps = 1e6};
+constexpr settings::StillLimits limits{
+    .max_side_px = 16384, .max_megapixels = 134.3, .max_gigasteps = 1e6, .max_bake_mib = 1e6};
 
 struct StillOptions {
   GpuOptions gpu;

@@ -17,14 +17,16 @@ Texture uploaded(Format format, int side, const std::vector<std::uint8_t>& texel
   return texture;
 }
 
+float half_at(const std::vector<std::uint8_t>& texels, std::size_t index) {
+  return glm::unpackHalf1x16(static_cast<std::uint16_t>(texels[2 * index] | texels[2 * index + 1] << 8));
+}
+
 // 32 bits and two dimensions: what a software rasterizer samples fastest.
 Texture variation_texture(const std::vector<std::uint8_t>& halves) {
   std::vector<std::uint8_t> floats(2 * halves.size());
   for (std::size_t i = 0; i < halves.size() / 2; ++i) {
-    std::uint16_t half = 0;
-    std::memcpy(&half, &halves[2 * i], 2);
-    const float value = glm::unpackHalf1x16(half);
-    std::memcpy(&floats[4 * i], &value, 4);
+    const float value = half_at(halves, i);
+    std::memcpy(&floats[4 * i], &value, sizeof value);
   }
   Texture texture(Format::rgba32f, variation_resolution, variation_resolution, "variation");
   texture.sample_with(Filter::linear, Wrap::repeat);
@@ -39,17 +41,17 @@ float mixed_shape(const std::uint8_t* texel, const std::array<double, 3>& weight
   return static_cast<float>(texel[0] / 255.0 * modulation);
 }
 
-BakedCloudscape::Extent extent_of(const std::vector<std::uint8_t>& shape, int side,
-                                  const std::array<double, 3>& weights) {
-  const std::size_t columns = static_cast<std::size_t>(side) * side;
+// `value(i)`: the shape at texel i of side^3.
+BakedCloudscape::Extent extent_of(int side, auto&& value) {
+  const std::size_t columns = static_cast<std::size_t>(side) * side, texels = columns * side;
   BakedCloudscape::Extent extent{std::vector<float>(columns, 0.0F),
                                  std::vector<float>(static_cast<std::size_t>(side), 0.0F)};
-  for (std::size_t texel = 0; texel < shape.size() / 4; ++texel) {
-    const float value = mixed_shape(&shape[4 * texel], weights);
+  for (std::size_t texel = 0; texel < texels; ++texel) {
+    const float shape = value(texel);
     float& column = extent.column_maxima[texel % columns];
     float& slice = extent.slice_maxima[texel / columns];
-    column = std::max(column, value);
-    slice = std::max(slice, value);
+    column = std::max(column, shape);
+    slice = std::max(slice, shape);
   }
   std::sort(extent.column_maxima.begin(), extent.column_maxima.end());
   return extent;
@@ -66,9 +68,8 @@ glm::ivec3 structure_size_of(const BakeRecipe& recipe) {
 double steepest_step(const std::vector<std::uint8_t>& texels, int channel) {
   const auto at = [&](int x, int y) {
     const int texel = (y % variation_resolution) * variation_resolution + x % variation_resolution;
-    std::uint16_t half = 0;
-    std::memcpy(&half, &texels[8 * static_cast<std::size_t>(texel) + 2 * static_cast<std::size_t>(channel)], 2);
-    return static_cast<double>(glm::unpackHalf1x16(half));
+    return static_cast<double>(
+        half_at(texels, 4 * static_cast<std::size_t>(texel) + static_cast<std::size_t>(channel)));
   };
   double steepest = 0;
   for (int y = 0; y < variation_resolution; ++y)
@@ -86,8 +87,12 @@ BakedCloudscape::Slopes slopes_of(const std::vector<std::uint8_t>& variation) {
 
 }  // namespace
 
+gpu::Format shape_texture_format(VolumeFormat format) {
+  return format == VolumeFormat::r16f ? Format::r16f : Format::rgba8;
+}
+
 BakedCloudscape::BakedCloudscape(BakedTexels texels)
-    : shape_(uploaded(Format::rgba8, texels.recipe.resolution, texels.shape, "shape")),
+    : shape_(uploaded(shape_texture_format(texels.recipe.format), texels.recipe.resolution, texels.shape, "shape")),
       detail_(uploaded(Format::rgba8, texels.recipe.detail_resolution, texels.detail, "detail")),
       variation_(variation_texture(texels.variation)),
       texels_(std::move(texels)),
@@ -95,10 +100,13 @@ BakedCloudscape::BakedCloudscape(BakedTexels texels)
       steepest_variation_(slopes_of(texels_.variation)) {}
 
 const BakedCloudscape::Extent& BakedCloudscape::extent(const std::array<double, 3>& weights) const {
-  if (extent_.slice_maxima.empty() || weights != weights_) {
-    extent_ = extent_of(texels_.shape, shape_.width(), weights);
-    weights_ = weights;
-  }
+  const std::vector<std::uint8_t>& shape = texels_.shape;
+  const bool mixed = texels_.recipe.format == VolumeFormat::r16f;
+  if (!extent_.slice_maxima.empty() && (mixed || weights == weights_)) return extent_;
+  weights_ = weights;
+  extent_ = mixed
+                ? extent_of(shape_.width(), [&](std::size_t texel) { return half_at(shape, texel); })
+                : extent_of(shape_.width(), [&](std::size_t texel) { return mixed_shape(&shape[4 * texel], weights); });
   return extent_;
 }
 

@@ -15,13 +15,14 @@ namespace cloudscape::bake {
 // Texels of the three textures, x fastest, then y, then z (bottom to top).
 struct BakedTexels {
   BakeRecipe recipe;
-  std::vector<std::uint8_t> shape;      // RGBA8, resolution^3
+  std::vector<std::uint8_t> shape;      // RGBA8 or R16F as the recipe says, resolution^3
   std::vector<std::uint8_t> detail;     // RGBA8, detail_resolution^3
   std::vector<std::uint8_t> variation;  // RGBA16F, variation_resolution^2
   bool operator==(const BakedTexels&) const = default;
 };
 
 constexpr int structure_padding = 2;  // cells around the clouds: the double padding of Olajos 2.4.2
+gpu::Format shape_texture_format(VolumeFormat format);
 
 class BakedCloudscape {
  public:
@@ -31,6 +32,7 @@ class BakedCloudscape {
   const gpu::Texture& detail() const { return detail_; }
   const gpu::Texture& variation() const { return variation_; }
   // How the march sees the shape where it mixes the finer channels in with `weights`; remembered for the last weights.
+  // A shape of one channel is mixed already: its weights change nothing.
   struct Extent {
     std::vector<float> column_maxima;  // greatest value of each column, ascending
     std::vector<float> slice_maxima;   // of each slice, bottom to top

@@ -38,7 +38,7 @@ ivec4 lattice_of(const NoiseChannel& channel, double height_over_width) {
   const int up = std::clamp(static_cast<int>(std::lround(channel.frequency * height_over_width)), 1, 256);
   return {channel.frequency, channel.octaves, channel.lacunarity, up};
 }
-vec4 blend_of(const NoiseChannel& channel) { return {channel.worley_mix, channel.gain, 0, 0}; }
+vec4 blend_of(const NoiseChannel& channel) { return {channel.worley_mix, channel.gain, channel.weight, 0}; }
 
 BakeBlock block_of(const BakeRecipe& recipe) {
   const auto& channels = recipe.noise.channels;
@@ -63,13 +63,15 @@ int slab_of(int resolution) { return std::clamp(texels_per_slab / (resolution * 
 
 Baker::Baker(gpu::ShaderLibrary& shaders)
     : shape_(shaders, "bake/shape.comp"),
+      mixed_(shaders, "bake/shape_mixed.comp"),
       detail_(shaders, "bake/detail.comp"),
       variation_(shaders, "bake/variation.comp") {}
 
 BakeJob::BakeJob(const Baker& baker, BakeRecipe recipe)
     : baker_(baker),
       recipe_(std::move(recipe)),
-      shape_(Format::rgba8, recipe_.resolution, recipe_.resolution, recipe_.resolution, "shape being baked"),
+      shape_(shape_texture_format(recipe_.format), recipe_.resolution, recipe_.resolution, recipe_.resolution,
+             "shape being baked"),
       detail_(Format::rgba8, recipe_.detail_resolution, recipe_.detail_resolution, recipe_.detail_resolution,
               "detail being baked"),
       variation_(Format::rgba16f, variation_resolution, variation_resolution, 1, "variation being baked"),
@@ -87,7 +89,7 @@ bool BakeJob::advance() {
     baker_.variation_.run(variation_, 0, 1, textures);
   }
   const int end = std::min(next_z_ + std::min(slab_of(recipe_.resolution), recipe_.resolution), recipe_.resolution);
-  baker_.shape_.run(shape_, next_z_, end, textures);
+  (recipe_.format == VolumeFormat::r16f ? baker_.mixed_ : baker_.shape_).run(shape_, next_z_, end, textures);
   next_z_ = end;
   return next_z_ >= recipe_.resolution;
 }

@@ -12,7 +12,7 @@ class Baker {
 
  private:
   friend class BakeJob;
-  gpu::VolumePass shape_, detail_, variation_;
+  gpu::VolumePass shape_, mixed_, detail_, variation_;
 };
 
 class BakeJob {

@@ -32,7 +32,7 @@ std::string payload_of(const BakedTexels& texels) {
 
 // Empty if the payload has not the size that the recipe asks for.
 std::optional<BakedTexels> texels_of(const BakeRecipe& recipe, std::string_view payload) {
-  const std::size_t shape = cube(recipe.resolution, 4);
+  const std::size_t shape = cube(recipe.resolution, static_cast<std::size_t>(bytes_per_texel(recipe.format)));
   const std::size_t detail = cube(recipe.detail_resolution, 4);
   const std::size_t variation = static_cast<std::size_t>(variation_resolution) * variation_resolution * 8;
   if (payload.size() != shape + detail + variation) return std::nullopt;

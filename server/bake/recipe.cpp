@@ -15,8 +15,11 @@ BakeRecipe bake_recipe(const Cloudscape& cloudscape) {
   recipe.seed = cloudscape.seed;
   recipe.resolution = cloudscape.volume.resolution;
   recipe.height_over_width = cloudscape.volume.size_m.z / cloudscape.volume.size_m.x;
+  recipe.format = cloudscape.volume.format;
   recipe.noise = cloudscape.noise;
-  for (NoiseChannel& channel : recipe.noise.channels) channel.weight = 1;
+  if (recipe.format == VolumeFormat::rgba8)
+    for (NoiseChannel& channel : recipe.noise.channels) channel.weight = 1;
+  recipe.noise.channels[0].weight = 1;  // the shape itself
   recipe.height_rise = cloudscape.shape.height_rise;
   recipe.height_fall = cloudscape.shape.height_fall;
   recipe.towers = cloudscape.shape.towers;

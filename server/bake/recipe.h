@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "core/bake_size.h"
 #include "core/cloudscape.h"
 
 namespace cloudscape::bake {
-
-constexpr int variation_resolution = 128;  // of the variation map, texels a side
 
 struct BakeRecipe {
   int version = 3;  // of the baking shaders: raise it when they change what they make
   std::uint32_t seed = 1;
   int resolution = 128;
+  VolumeFormat format = VolumeFormat::rgba8;
   double height_over_width = 0.2;  // of the volume: cells of the noise are about as high as wide
-  Noise noise;                     // weights are 1: they matter to the march, not to the bake
+  Noise noise;                     // of rgba8 the weights are 1: they matter to the march, not to the bake
   double height_rise = 50, height_fall = 4;
   std::vector<Tower> towers;
   int detail_resolution = 32, detail_frequency = 4, detail_octaves = 3;
@@ -25,6 +25,7 @@ struct BakeRecipe {
     visit("version", self.version, Limits{}, "");
     visit("seed", self.seed, Limits{}, "");
     visit("resolution", self.resolution, Limits{}, "");
+    visit("format", self.format, Limits{}, "");
     visit("height_over_width", self.height_over_width, Limits{}, "");
     visit("noise", self.noise, Limits{}, "");
     visit("height_rise", self.height_rise, Limits{}, "");

@@ -29,14 +29,28 @@ std::shared_ptr<const BakedCloudscape> BakeStore::keep(const std::string& key, c
   return entries_.front().baked;
 }
 
+// Whoever left a bake unfinished may have gone for good: the one that was advanced the longest ago makes room, but only
+// when it has waited long. Were it dropped at once, five bakes that are advanced in turn would drop one another
+// forever.
+bool BakeStore::make_room_for_a_job() {
+  constexpr std::size_t most_jobs = 4;
+  constexpr std::uint64_t patience = 32;  // tuned: in slabs of all bakes; a second or two without a GPU
+  if (jobs_.size() < most_jobs) return true;
+  const auto oldest = std::ranges::min_element(jobs_, {}, [](const auto& entry) { return entry.second.advanced; });
+  if (advances_ - oldest->second.advanced < patience) return false;
+  jobs_.erase(oldest);
+  return true;
+}
+
 void BakeStore::advance(const BakeRecipe& recipe) {
   const std::string key = bake_key(recipe);
-  std::unique_ptr<BakeJob>& job = jobs_[key];
-  if (!job) {
-    constexpr std::size_t most_jobs = 4;  // whoever left a bake unfinished may have gone for good
-    if (jobs_.size() > most_jobs) jobs_.erase(jobs_.begin()->first == key ? std::next(jobs_.begin()) : jobs_.begin());
-    job = std::make_unique<BakeJob>(baker_, recipe);
+  ++advances_;
+  if (!jobs_.contains(key)) {
+    if (!make_room_for_a_job()) return;
+    jobs_[key].job = std::make_unique<BakeJob>(baker_, recipe);
   }
+  jobs_[key].advanced = advances_;
+  BakeJob* job = jobs_[key].job.get();
   const bool done = job->advance();
   if (!done) {
     if (progress_) progress_(recipe, std::min(job->progress(), 0.999));

@@ -20,7 +20,8 @@ class BakeStore {
 
   // The baked form, from memory or disk; nullptr: call `advance` until it is there.
   std::shared_ptr<const BakedCloudscape> find(const BakeRecipe& recipe);
-  // Bakes the next slab of it.
+  // Bakes the next slab of it. Four bakes are under way at most: a fifth waits until one is done, or until one has not
+  // been advanced for a while; that one is given up.
   void advance(const BakeRecipe& recipe);
   // Waits for the whole bake.
   std::shared_ptr<const BakedCloudscape> get(const BakeRecipe& recipe);
@@ -39,7 +40,13 @@ class BakeStore {
   std::uint64_t limit_bytes_;
   Progress progress_;
   std::list<Entry> entries_;  // most recently used first
-  std::map<std::string, std::unique_ptr<BakeJob>> jobs_;
+  struct Job {
+    std::unique_ptr<BakeJob> job;
+    std::uint64_t advanced = 0;  // when last, in calls of advance
+  };
+  bool make_room_for_a_job();
+  std::map<std::string, Job> jobs_;
+  std::uint64_t advances_ = 0;
 };
 
 }  // namespace cloudscape::bake

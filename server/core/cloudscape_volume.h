@@ -18,12 +18,20 @@ struct EnumNames<VolumeKind> {
   static constexpr std::array<std::string_view, 5> names{"noise", "sphere", "box", "slab", "gaussian"};
 };
 
+// rgba8: the shape and three finer noises, mixed when they are sampled. r16f: the mixed shape alone, of 16 bits.
+enum class VolumeFormat { rgba8, r16f };
+template <>
+struct EnumNames<VolumeFormat> {
+  static constexpr std::array<std::string_view, 2> names{"rgba8", "r16f"};
+};
+
 struct Volume {
   VolumeKind kind = VolumeKind::noise;
   glm::dvec3 origin_m{0.0, 0.0, 1000.0};
   glm::dvec3 size_m{8000.0, 8000.0, 2000.0};
   int resolution = 128;
   bool tiling = true;
+  VolumeFormat format = VolumeFormat::rgba8;
   bool operator==(const Volume&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -38,6 +46,11 @@ struct Volume {
     visit("resolution", self.resolution, Limits{16, 512, true},
           "Texels a side of the baked shape texture; a power of two.");
     visit("tiling", self.tiling, Limits{}, "Whether a noise volume repeats to the horizon or stands alone.");
+    visit("format", self.format, Limits{},
+          "Texels of the shape texture. rgba8: four noises of 8 bits, mixed by their weights when they are sampled. "
+          "r16f: "
+          "mixed when they are baked, one number of 16 bits; half the memory, and a new bake for each change of a "
+          "weight.");
   }
 };
 

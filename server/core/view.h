@@ -57,8 +57,9 @@ struct Display {
   double exposure_ev = 1.5;  // a sunlit cloud top, about 0.5 in solar units, comes out nearly white
   ToneCurve tone_curve = ToneCurve::aces;
   bool dither = true;
-  // tuned: in a clear sky only the sun's disc and what lies right about it is brighter than the threshold.
-  double bloom_strength = 0.04;
+  // tuned: five times a sunlit cloud top, so that in a clear sky only the sun's disc and what lies right about it
+  // glows; as wide as a bright sun dazzles, and as strong as leaves the clouds beside it visible.
+  double bloom_strength = 0.06;
   double bloom_threshold = 8.0;
   double bloom_radius = 0.08;
   bool operator==(const Display&) const = default;
@@ -72,8 +73,8 @@ struct Display {
     visit("bloom_strength", self.bloom_strength, Limits{0, 1},
           "Share of the light above bloom_threshold that glows about its place (Olajos 2.7); 0: none.");
     visit("bloom_threshold", self.bloom_threshold, Limits{0, 1e6},
-          "Luminance above which light blooms, as exposed: 1 is a white that is just displayed as such.");
-    visit("bloom_radius", self.bloom_radius, Limits{0.001, 0.5},
+          "Luminance above which light glows, as exposed: 1 is a white that is just displayed as such.");
+    visit("bloom_radius", self.bloom_radius, Limits{0.02, 0.5},
           "Standard deviation of the glow as a share of the picture's height.");
   }
 };

@@ -26,14 +26,25 @@ Layout layout_of(int side, int depth) {
   return {side, depth, columns, (depth + columns - 1) / columns};
 }
 
-std::vector<half> arranged(std::span<const std::uint8_t> rgba8, const Layout& layout) {
-  std::vector<half> pixels(static_cast<std::size_t>(layout.width()) * layout.height() * 4, half(0.0F));
-  std::size_t texel = 0;
+int channels_of(VolumeFormat format) { return format == VolumeFormat::r16f ? 1 : 4; }
+
+// Value `index` of the texels, all channels counted.
+half value_at(std::span<const std::uint8_t> texels, std::size_t index, VolumeFormat format) {
+  if (format == VolumeFormat::rgba8) return half(static_cast<float>(texels[index]) / 255.0F);
+  half value;
+  value.setBits(static_cast<std::uint16_t>(texels[2 * index] | texels[2 * index + 1] << 8));
+  return value;
+}
+
+std::vector<half> arranged(std::span<const std::uint8_t> texels, const Layout& layout, VolumeFormat format) {
+  const auto channels = static_cast<std::size_t>(channels_of(format));
+  std::vector<half> pixels(static_cast<std::size_t>(layout.width()) * layout.height() * channels, half(0.0F));
+  std::size_t value = 0;
   for (int z = 0; z < layout.depth; ++z) {
     for (int y = 0; y < layout.side; ++y) {
       const std::size_t row = static_cast<std::size_t>(z / layout.columns * layout.side + layout.side - 1 - y);
-      std::size_t out = 4 * (row * layout.width() + static_cast<std::size_t>(z % layout.columns * layout.side));
-      for (int i = 0; i < 4 * layout.side; ++i) pixels[out++] = half(static_cast<float>(rgba8[texel++]) / 255.0F);
+      std::size_t out = channels * (row * layout.width() + static_cast<std::size_t>(z % layout.columns * layout.side));
+      for (std::size_t i = 0; i < channels * layout.side; ++i) pixels[out++] = value_at(texels, value++, format);
     }
   }
   return pixels;
@@ -51,20 +62,22 @@ Imf::Header header_of(const Layout& layout, const std::map<std::string, std::str
 
 }  // namespace
 
-std::vector<std::uint8_t> slice_atlas_exr(std::span<const std::uint8_t> rgba8, int side, int depth,
-                                          const std::map<std::string, std::string>& attributes) {
+std::vector<std::uint8_t> slice_atlas_exr(std::span<const std::uint8_t> texels, int side, int depth,
+                                          const std::map<std::string, std::string>& attributes, VolumeFormat format) {
   const Layout layout = layout_of(side, depth);
-  if (rgba8.size() != static_cast<std::size_t>(side) * side * depth * 4)
-    throw Error("a volume of " + std::to_string(rgba8.size()) + " bytes is not " + std::to_string(side) + "x" +
-                std::to_string(side) + "x" + std::to_string(depth) + " RGBA texels");
-  std::vector<half> pixels = arranged(rgba8, layout);
+  const std::size_t texel_bytes = format == VolumeFormat::r16f ? 2 : 4;
+  if (texels.size() != static_cast<std::size_t>(side) * side * depth * texel_bytes)
+    throw Error("a volume of " + std::to_string(texels.size()) + " bytes is not " + std::to_string(side) + "x" +
+                std::to_string(side) + "x" + std::to_string(depth) + " texels in " + std::string(name_of(format)));
+  std::vector<half> pixels = arranged(texels, layout, format);
   Imf::Header header = header_of(layout, attributes);
   Imf::FrameBuffer buffer;
-  const char* channels[] = {"R", "G", "B", "A"};
-  for (std::size_t i = 0; i < 4; ++i) {
-    header.channels().insert(channels[i], Imf::Channel(Imf::HALF));
-    buffer.insert(channels[i], Imf::Slice(Imf::HALF, reinterpret_cast<char*>(&pixels[i]), 4 * sizeof(half),
-                                          4 * sizeof(half) * static_cast<std::size_t>(layout.width())));
+  const std::string names = format == VolumeFormat::r16f ? "Y" : "RGBA";
+  const std::size_t stride = names.size() * sizeof(half);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    header.channels().insert(names.substr(i, 1), Imf::Channel(Imf::HALF));
+    buffer.insert(names.substr(i, 1), Imf::Slice(Imf::HALF, reinterpret_cast<char*>(&pixels[i]), stride,
+                                                 stride * static_cast<std::size_t>(layout.width())));
   }
   MemoryFile memory(0);
   {

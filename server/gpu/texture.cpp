@@ -72,13 +72,15 @@ Texture& Texture::operator=(Texture&& other) noexcept {
   return *this;
 }
 
-void Texture::sample_with(Filter filter, Wrap wrap) {
+void Texture::sample_with(Filter filter, Wrap wrap) { sample_with(filter, wrap, wrap); }
+
+void Texture::sample_with(Filter filter, Wrap across, Wrap other_axes) {
   const GLint filtering = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
-  const GLint wrapping = wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  const auto wrapping = [](Wrap wrap) { return wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; };
   glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, filtering);
   glTextureParameteri(id_, GL_TEXTURE_MAG_FILTER, filtering);
-  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-    glTextureParameteri(id_, axis, wrapping);
+  glTextureParameteri(id_, GL_TEXTURE_WRAP_S, wrapping(across));
+  for (const GLenum axis : {GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glTextureParameteri(id_, axis, wrapping(other_axes));
 }
 
 void Texture::upload(std::span<const std::uint8_t> texels) {

@@ -8,7 +8,7 @@
 
 namespace cloudscape::gpu {
 
-enum class Format { rgba8, r8, rgba16f, rgba32f, r32f, rg32f };
+enum class Format { rgba8, r8, r16f, rgba16f, rgba32f, r32f, rg32f };
 int bytes_per_texel(Format format);
 const char* name_of(Format format);           // as GLSL has it: "rgba16f"
 Format format_from(const std::string& name);  // throws InvalidInput
@@ -24,7 +24,8 @@ class Texture {
   Texture(Texture&& other) noexcept;
   Texture& operator=(Texture&& other) noexcept;
 
-  void sample_with(Filter filter, Wrap wrap);         // default: nearest, clamp
+  void sample_with(Filter filter, Wrap wrap);  // default: nearest, clamp
+  void sample_with(Filter filter, Wrap across, Wrap other_axes);
   void upload(std::span<const std::uint8_t> texels);  // all texels, tightly packed, in the texture's own format
   std::vector<std::uint8_t> download() const;         // the same; waits for the device
   void clear();                                       // to zero

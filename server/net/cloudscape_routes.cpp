@@ -44,6 +44,7 @@ Response put(const Request& request, const std::string& name, Site& site) {
   if (!type.empty() && !equal_without_case(trimmed(type.substr(0, type.find(';'))), "application/json"))
     return problem(415, "The body must be application/json.");
   if (is_preset(site.parts.cloudscapes, name)) return preset_problem(name);
+  settings::check_bake(settings::parse_cloudscape(request.body, "body"), site.parts.settings.max_bake_mib, "");
   const bool made = site.parts.cloudscapes.put(name, request.body);
   for (StreamSession* session : site.sessions) session->on_document_changed(name);
   return made ? empty_response(201).with("location", "/api/v1/cloudscapes/" + name) : empty_response(204);

@@ -93,6 +93,7 @@ Viewed viewed_by(const wire::Hello& hello, std::string_view text, const settings
 Viewed changed(Viewed viewed, const wire::Settings& settings, const settings::CloudscapeLibrary& library,
                const settings::ServerSettings& limits) {
   choose_document(viewed, settings, library);
+  settings::check_bake(*viewed.document, limits.max_bake_mib, "/cloudscape");
   move_sun(viewed, settings);
   put_sun_into_view(viewed);
   change_view(viewed.view, settings);

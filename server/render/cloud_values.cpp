@@ -66,11 +66,11 @@ glm::dvec2 cloud_altitudes_m(const Cloudscape& sky, const bake::BakedCloudscape&
 void set_shape(CloudBlock& block, const FrameRequest& request, const bake::BakedCloudscape& baked) {
   const Cloudscape& sky = *request.cloudscape;
   const glm::dvec2 at_m = drifted(request);
-  const auto& channels = sky.noise.channels;
+  const std::array<double, 3> weights = mixing_weights(sky);
   const CoverageVariation& slow = sky.shape.coverage_variation;
   block.shape = {threshold_of(sky, baked), sky.shape.edge_softness, 2 * swing_of(slow),
                  sky.volume.tiling ? variation_shift : 0.0};
-  block.weights = {1, channels[1].weight, channels[2].weight, channels[3].weight};
+  block.weights = {1, weights[0], weights[1], weights[2]};
   const double period_m = 4 * slow.wavelength_m;  // shaders/bake/variation.comp
   block.variation = {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), 0};
   block.detail = {1 / sky.detail.period_m, fraction(at_m.x / sky.detail.period_m),
@@ -122,12 +122,17 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
   const double period_m = 4 * sky.shape.coverage_variation.wavelength_m;
   // How much lower the threshold can be half a large step away.
   const double slack = block.shape.z * baked.steepest_variation().threshold / period_m * 0.5 * large_m;
-  block.structure = {large_m, slack, 0, 0};
+  // From the last point outside, cloud is at least this far: half the longest large step.
+  const double free_m = layer ? 0.5 * longest_large_step_m(sky, baked) : 0.0;
+  const double free_steps = march.step_m ? std::floor(free_m / *march.step_m) * *march.step_m : free_m;
+  block.structure = {large_m, slack, std::min(free_steps, large_m), 0};
 }
 
 }  // namespace
 
+// A shape of one channel is mixed when it is baked; the channels that it has not read as 0, 0 and 1.
 std::array<double, 3> mixing_weights(const Cloudscape& sky) {
+  if (sky.volume.format == VolumeFormat::r16f) return {};
   const auto& channels = sky.noise.channels;
   return {channels[1].weight, channels[2].weight, channels[3].weight};
 }

@@ -70,7 +70,8 @@ FrameBlock frame_block(const FrameRequest& request, int sample) {
   block.ground_albedo = xyz_w(sky.ground.albedo, sky.ground.variation);
   block.ground = {sky.ground.kind == GroundKind::plain, wrapped(request.pose.position_m.x, ground_period_m),
                   wrapped(request.pose.position_m.y, ground_period_m), 0};
-  block.display = {std::exp2(request.display.exposure_ev), static_cast<int>(request.display.tone_curve), 0, 0};
+  block.display = {std::exp2(request.display.exposure_ev), static_cast<int>(request.display.tone_curve),
+                   request.display.bloom_strength, request.display.bloom_threshold};
   block.accumulation = {1.0 / (sample + 1), request.quality.float32 ? largest_float : largest_half, 0, 0};
   return block;
 }

@@ -13,7 +13,9 @@ Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
             ScreenPass(context, shaders, "render/march.glsl", {Format::rgba32f, Format::rg32f})},
       smooth_(context, shaders, "render/smooth.glsl", {Format::rgba16f, Format::rg32f}),
       composite_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f}),
-      tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}) {}
+      tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}),
+      tone_map_bloom_(context, shaders, "render/tone_map_bloom.glsl", {Format::rgba8}),
+      bloom_(context, shaders) {}
 
 void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin,
                    int row_end) const {
@@ -48,14 +50,19 @@ void Passes::composite(const Targets& targets, const Accumulation& previous) con
 }
 
 void Passes::tone_map(const Targets& targets, const Accumulation& accumulation) const {
-  const Binding textures[] = {{0, &accumulation.radiance}};
+  const gpu::Rect all{0, 0, targets.size.width, targets.size.height};
   const Texture* output[] = {&targets.display};
-  tone_map_.run({0, 0, targets.size.width, targets.size.height}, output, textures);
+  const Binding plain[] = {{0, &accumulation.radiance}};
+  if (!targets.bloom) return tone_map_.run(all, output, plain);
+  const Binding textures[] = {plain[0], {1, &bloom_.glow(*targets.bloom, accumulation.radiance)}};
+  tone_map_bloom_.run(all, output, textures);
 }
 
 void Passes::reload(gpu::ShaderLibrary& shaders) {
-  for (ScreenPass* pass : {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_, &tone_map_})
+  for (ScreenPass* pass :
+       {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_, &tone_map_, &tone_map_bloom_})
     pass->reload(shaders);
+  bloom_.reload(shaders);
 }
 
 }  // namespace cloudscape::render

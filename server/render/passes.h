@@ -1,7 +1,9 @@
-// The screen passes of a frame, in their order: scene, march, smooth (moving pictures), composite, tone map.
+// The screen passes of a frame, in their order: scene, march, smooth (moving pictures), composite, bloom, tone
+// map.
 #pragma once
 #include "bake/baked_cloudscape.h"
 #include "gpu/pass.h"
+#include "render/bloom.h"
 #include "render/sky_tables.h"
 #include "render/targets.h"
 
@@ -18,6 +20,7 @@ class Passes {
   void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;
   // The whole picture into targets.scratch, averaged with `previous`.
   void composite(const Targets& targets, const Accumulation& previous) const;
+  // With the glow of `targets.bloom`, if there is one.
   void tone_map(const Targets& targets, const Accumulation& accumulation) const;
   void reload(gpu::ShaderLibrary& shaders);
 
@@ -26,7 +29,8 @@ class Passes {
     gpu::ScreenPass scene, march;
   };
   Precision half_, full_;
-  gpu::ScreenPass smooth_, composite_, tone_map_;
+  gpu::ScreenPass smooth_, composite_, tone_map_, tone_map_bloom_;
+  Bloom bloom_;
 };
 
 }  // namespace cloudscape::render

@@ -116,6 +116,7 @@ PendingFrame Renderer::finish(std::unique_ptr<RenderJob> job) {
   if (job->request.content == FrameContent::display) {
     frame_block_.upload(frame_block(job->request, job->last_sample));  // other jobs may have been at work in between
     frame_block_.bind();
+    prepare_bloom(*job->targets, job->request);
     passes_.tone_map(*job->targets, history.accumulation);
     pending.display = gpu::Readback(job->targets->display);
   } else {

@@ -42,6 +42,15 @@ Accumulation make_accumulation(ImageSize size) {
           Texture(Format::r32f, size.width, size.height, "accumulated depth")};
 }
 
+void prepare_bloom(Targets& targets, const FrameRequest& request) {
+  const double radius = request.display.bloom_radius;
+  const bool wraps = request.lens.kind == LensKind::panorama;
+  if (request.display.bloom_strength <= 0)
+    targets.bloom.reset();
+  else if (!targets.bloom || !targets.bloom->fits(radius, wraps))
+    targets.bloom = std::make_unique<BloomChain>(targets.size, radius, wraps);
+}
+
 std::unique_ptr<Targets> TargetPool::acquire(ImageSize size, const RenderQuality& quality) {
   const bool smooth = quality.smooth && !quality.float32;
   const auto fits = [&](const std::unique_ptr<Targets>& targets) {

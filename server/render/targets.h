@@ -6,6 +6,7 @@
 
 #include "core/frame.h"
 #include "gpu/texture.h"
+#include "render/bloom_chain.h"
 
 namespace cloudscape::render {
 
@@ -23,10 +24,14 @@ struct Targets {
   bool smooth = false;
   gpu::Texture scene_radiance, scene_depth, march_radiance, march_depth, smooth_radiance, smooth_depth, display;
   Accumulation scratch;
+  std::unique_ptr<BloomChain> bloom;  // made when a picture first glows; nullptr: this one does not
   // What the composite reads of the march.
   const gpu::Texture& clouds() const { return smooth ? smooth_radiance : march_radiance; }
   const gpu::Texture& clouds_depth() const { return smooth ? smooth_depth : march_depth; }
 };
+
+// Gives `targets` the chain that the request's glow needs, or none.
+void prepare_bloom(Targets& targets, const FrameRequest& request);
 
 class TargetPool {
  public:

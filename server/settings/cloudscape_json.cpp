@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/bake_size.h"
 #include "settings/cloudscape_reader.h"
 #include "settings/described_json.h"
 #include "settings/described_schema.h"
@@ -44,6 +45,16 @@ void check(const Cloudscape& cloudscape, const std::string& pointer) {
   const Detail& fine = cloudscape.detail;
   check_octaves(pointer + "/detail", fine.frequency * std::exp2(fine.octaves - 1), "frequency * 2^(octaves - 1)",
                 fine.resolution, "detail.resolution");
+}
+
+void check_bake(const Cloudscape& cloudscape, double max_bake_mib, const std::string& pointer) {
+  const double mib = static_cast<double>(bake_bytes(cloudscape)) / (1024.0 * 1024.0);
+  if (mib <= max_bake_mib) return;
+  throw OverLimit(pointer + "/volume/resolution",
+                  "is " + std::to_string(cloudscape.volume.resolution) + " in " +
+                      std::string(name_of(cloudscape.volume.format)) + ", whose textures take " + number_text(mib) +
+                      " MiB: this server's limit is " + number_text(max_bake_mib) +
+                      " (max_bake_mib); lower volume.resolution or ask for volume.format r16f");
 }
 
 Cloudscape read_cloudscape(const nlohmann::json& json, const std::string& pointer) {

@@ -13,6 +13,9 @@ namespace cloudscape::settings {
 
 // `source` (a file name, "body") opens messages about syntax. Throws InvalidInput.
 Cloudscape parse_cloudscape(std::string_view text, const std::string& source);
+// Throws OverLimit, at volume.resolution, where the cloudscape's baked textures are larger. `pointer` is where the
+// document stands.
+void check_bake(const Cloudscape& cloudscape, double max_bake_mib, const std::string& pointer);
 std::string to_json(const Cloudscape& cloudscape);  // every field, indented
 std::string cloudscape_schema();                    // JSON Schema 2020-12
 std::string cloudscape_reference();                 // the document's reference as Markdown tables, for the README

@@ -126,7 +126,8 @@ std::vector<ParameterInfo> server_parameters() {
 }
 
 StillLimits still_limits(const ServerSettings& settings) {
-  return {settings.max_still_side_px, settings.max_still_megapixels, settings.max_still_gigasteps};
+  return {settings.max_still_side_px, settings.max_still_megapixels, settings.max_still_gigasteps,
+          settings.max_bake_mib};
 }
 
 }  // namespace cloudscape::settings

@@ -35,6 +35,7 @@ struct ServerSettings {
   int max_still_side_px = 4096;
   double max_still_megapixels = 9.0;
   double max_still_gigasteps = 60.0;
+  double max_bake_mib = 128.0;  // tuned: a volume of 256^3 in either format, not one of 512^3
   int max_body_kib = 256;
   double header_timeout_s = 5;
   double body_timeout_s = 5;
@@ -75,6 +76,9 @@ struct ServerSettings {
     visit("max_still_megapixels", self.max_still_megapixels, Limits{0.01, 256}, "Size of a still, megapixels.");
     visit("max_still_gigasteps", self.max_still_gigasteps, Limits{0.001, 1e6},
           "Work of a still: pixels * samples * steps / 1e9.");
+    visit(
+        "max_bake_mib", self.max_bake_mib, Limits{0.1, 1e5},
+        "Baked textures of a cloudscape that is rendered or put, MiB; 128: volumes of 256^3 texels, but not of 512^3.");
     visit("max_body_kib", self.max_body_kib, Limits{1, 16384}, "Body of an HTTP request, KiB.");
     visit("header_timeout_s", self.header_timeout_s, timeouts_s, "Time that a client has to send its header, s.");
     visit("body_timeout_s", self.body_timeout_s, timeouts_s, "Time that a client has to send the whole body, s.");

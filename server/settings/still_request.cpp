@@ -100,6 +100,7 @@ std::string canonical_text(const Cloudscape& cloudscape, const StillBody& body) 
 StillRequest finish(const std::shared_ptr<const Cloudscape>& cloudscape, StillBody body, const std::string& prefix,
                     const StillLimits& limits) {
   settle(body.image);
+  check_bake(*cloudscape, limits.max_bake_mib, "/cloudscape");
   StillRequest request;
   request.frame.cloudscape = as_asked(cloudscape, body);
   request.frame.pose = body.camera.pose;

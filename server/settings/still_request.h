@@ -16,6 +16,7 @@ struct StillLimits {
   int max_side_px = 4096;
   double max_megapixels = 9.0;  // 3840x2160
   double max_gigasteps = 60.0;  // pixels * samples * max_steps / 1e9
+  double max_bake_mib = 128.0;  // of the cloudscape's textures
 };
 
 struct StillRequest {

@@ -9,6 +9,12 @@ struct LensRay {
   float valid;     // 0 outside the circle of the fisheye
 };
 
+// 0 where the picture stays black: outside the circle of the fisheye.
+float lens_shows(int kind, vec2 pixel, vec2 size_px) {
+  vec2 q = (2.0 * pixel - size_px) / min(size_px.x, size_px.y);
+  return kind == 3 && dot(q, q) > 1.0 ? 0.0 : 1.0;
+}
+
 // kind as core's LensKind. `pixel` is a position in the picture, (0.5, 0.5) the middle of the top left pixel; `half_height` is
 // the tangent of half the vertical field of view (perspective), `width_m` the picture's width (orthographic).
 LensRay lens_ray(int kind, vec2 pixel, vec2 size_px, float half_height, float width_m) {

@@ -21,6 +21,9 @@ float tower_offset(vec2 tile, float h, vec2 center, float radius, float top, flo
   return strength * bell * below * base * tile_window(tile);
 }
 
+// The shape with finer noises mixed in by their weights: thicker where they are above their mean, thinner where below.
+float mixed_shape(float shape, vec3 finer, vec3 weights) { return shape * (1.0 + dot(weights, finer - vec3(0.5))); }
+
 // Spreads [low, high] over [0, 1].
 float stretch(float value, float low, float high) { return clamp((value - low) / (high - low), 0.0, 1.0); }
 #endif

@@ -3,7 +3,7 @@
 #define SHARED_BAKE_BLOCK
 #include "shared/block.glsl"
 
-/* channel_n: cells east and north, octaves, lacunarity, cells up; mix_n: Worley mix, gain, 0, 0 of the four shape channels.
+/* channel_n: cells east and north, octaves, lacunarity, cells up; mix_n: Worley mix, gain, weight, 0 of the four shape channels.
    profile: height_rise, height_fall, number of towers, 0. seed: seed, permutation seed != 0, 0, 0.
    detail: frequency, octaves, resolution, 0. */
 #define BAKE_FIELDS(F) \

@@ -10,8 +10,8 @@
    sun_direction: towards the sun, square of the chord of its angular radius. sun_irradiance: above the atmosphere, 1 / solid angle or 0.
    sky: radiance of a uniform sky, kind as core's SkyKind. atmosphere: haze, unused...
    ground_albedo: rgb, variation. ground: kind, fields' offset east and north (m), 0.
-   display: 2^exposure, tone curve, 0, 0. accumulation: weight of the new sample, greatest radiance that the
-   targets hold, 0, 0. */
+   display: 2^exposure, tone curve, strength and threshold (exposed luminance) of the bloom.
+   accumulation: weight of the new sample, greatest radiance that the targets hold, 0, 0. */
 #define FRAME_FIELDS(F) \
   F(vec4, camera_right) \
   F(vec4, camera_up) \

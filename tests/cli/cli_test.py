@@ -143,6 +143,31 @@ class Bake(CliTest):
         self.assert_done(self.run_program("bake", self.write("other.json", DOCUMENT % 2)))
         self.assertEqual(len(self.bakes()), 2)
 
+    def test_verbose_tells_what_each_format_costs(self):
+        result = self.run_program("bake", self.sky, "--verbose")
+        self.assert_done(result)
+        head, *rows = [line.split() for line in result.stdout.splitlines()]
+        self.assertEqual(head[0], "format")
+        others = 4 * 16**3 + 8 * 128**2  # bytes of the detail texture and of the variation map
+        self.assertEqual([row[:3] for row in rows], [["rgba8", "16x16x16", str(4 * 16**3 + others)],
+                                                     ["r16f", "16x16x16", str(2 * 16**3 + others)]])
+        for row in rows:
+            self.assertGreater(int(row[3]), int(row[2]))
+            self.assertLess(int(row[3]), int(row[2]) + 200)
+            self.assertGreater(float(row[4]), 0)
+            self.assertGreaterEqual(float(row[5]), 0)
+        (bake,) = self.bakes()
+        self.assertEqual(bake.stat().st_size, int(rows[0][3]))
+        self.assertEqual(self.still(self.sky, "a.png").stderr, "")
+
+    def test_a_mixed_shape_has_one_channel(self):
+        mixed = self.write("mixed.json", (DOCUMENT % 1).replace('"resolution": 16}', '"resolution": 16, "format": "r16f"}', 1))
+        self.assert_done(self.run_program("bake", mixed, "--out", "textures"))
+        header = (self.folder / "textures" / "shape.exr").read_bytes()[:400]
+        self.assertIn(b"channels\0chlist\0", header)
+        self.assertIn(b"Y\0\1\0\0\0", header)
+        self.assertNotIn(b"G\0\1\0\0\0", header)
+
     def test_refuses_a_folder_that_is_a_file(self):
         blocked = self.write("textures", "")
         self.assert_one_sentence(self.run_program("bake", self.sky, "--out", blocked), 1, blocked)

@@ -178,6 +178,18 @@ test('the document of each preset fits the published schema', async () => {
     assert.ok(validate(await server.json(`/api/v1/cloudscapes/${name}`)), `${name}: ${JSON.stringify(validate.errors)}`);
 });
 
+test('a cloudscape whose textures are too large is refused before it is baked', async () => {
+  const large = format => ({ volume: { resolution: 512, format } });
+  const still = await described('/api/v1/stills', post({ cloudscape: large('rgba8'), image: { width: 32, height: 24 } }));
+  assert.equal(still.status, 422);
+  assert.equal(still.json().pointer, '/cloudscape/volume/resolution');
+  assert.match(still.json().detail, /max_bake_mib/);
+  const put = await described('/api/v1/cloudscapes/large', { method: 'PUT', headers: json, body: JSON.stringify(large('r16f')) });
+  assert.equal(put.status, 422);
+  assert.equal(put.json().pointer, '/volume/resolution');
+  assert.equal((await described('/api/v1/cloudscapes/large')).status, 404);
+});
+
 test('only listed origins get CORS headers, and only they may change things', async () => {
   const preflight = origin => server.fetch('/api/v1/stills', {
     method: 'OPTIONS', headers: { origin, 'access-control-request-method': 'POST' } });

@@ -72,6 +72,20 @@ TEST(Recipe, KeepsItsKeyWhenOnlyTheMarchChanges) {
   for (std::size_t i = 0; i < changes.size(); ++i) EXPECT_EQ(key_after(changes[i]), key) << "change " << i;
 }
 
+// What is mixed when it is baked depends on the weights; but for the first channel's, which is the shape itself.
+TEST(Recipe, OfAMixedShapeChangesItsKeyWithTheWeights) {
+  const auto mixed = [](Cloudscape& c) { c.volume.format = VolumeFormat::r16f; };
+  const std::string key = key_after(mixed);
+  EXPECT_NE(key, key_after([](Cloudscape&) {}));
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    const std::string other = key_after([&](Cloudscape& c) {
+      mixed(c);
+      c.noise.channels[channel].weight = 2;
+    });
+    EXPECT_EQ(other == key, channel == 0) << channel;
+  }
+}
+
 TEST(Recipe, ChangesItsKeyWithTheVersionOfTheShaders) {
   BakeRecipe recipe;
   const std::string key = bake_key(recipe);

@@ -97,7 +97,7 @@ TEST_F(Store, KeepsTheNewestEvenIfItIsTooLarge) {
   EXPECT_EQ(baked->shape().download().size(), 4U);  // still whole for whoever holds it
 }
 
-// More than are baked at a time: some begin again, but all come to an end.
+// More than are baked at a time: some wait, none begins anew, and all come to an end.
 TEST_F(Store, FinishesManyBakesInTurn) {
   BakeStore store = make();
   constexpr std::uint32_t count = 6;
@@ -108,6 +108,25 @@ TEST_F(Store, FinishesManyBakesInTurn) {
       if (!baked[i]) store.advance(slow_recipe(i));
     }
   for (const auto& one : baked) EXPECT_TRUE(one);
+  EXPECT_EQ(std::ranges::count_if(progress_, [](const auto& step) { return step.second == 0.25; }), count);
+}
+
+// Four are baked at a time. Each has four slabs, so that its progress tells whether it began anew.
+TEST_F(Store, GivesUpTheBakeThatWasAdvancedTheLongestAgo) {
+  BakeStore store = make();
+  using Step = std::pair<std::uint32_t, double>;
+  const auto advanced = [&](std::uint32_t seed) {
+    store.advance(slow_recipe(seed));
+    return progress_.back();
+  };
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) EXPECT_EQ(advanced(seed), Step(seed, 0.25));
+  for (const std::uint32_t seed : {3U, 1U, 4U}) EXPECT_EQ(advanced(seed), Step(seed, 0.5));
+  EXPECT_EQ(advanced(5), Step(4, 0.5)) << "it waits";
+  int calls = 0;
+  while (advanced(5) != Step(5, 0.25)) ASSERT_LT(++calls, 100);
+  for (const std::uint32_t seed : {3U, 1U, 4U}) EXPECT_EQ(advanced(seed), Step(seed, 0.75));
+  for (const std::uint32_t seed : {3U, 1U, 4U, 5U}) store.get(slow_recipe(seed));
+  EXPECT_EQ(advanced(2), Step(2, 0.25)) << "the one that was given up";
 }
 
 }  // namespace

@@ -185,6 +185,8 @@ TEST_F(Blocks, LieAsTheDriverLaysThem) {
                               {gpu::Format::rgba16f, gpu::Format::rg32f});
   EXPECT_EQ(march.program().block_offsets("FrameBlock"), FrameBlock::offsets());
   EXPECT_EQ(march.program().block_offsets("CloudBlock"), CloudBlock::offsets());
+  const gpu::ScreenPass bloom(stack().context, shaders, "render/bloom_vertical.glsl", {gpu::Format::rgba32f});
+  EXPECT_EQ(bloom.program().block_offsets("BloomBlock"), BloomBlock::offsets());
   const gpu::VolumePass shape(shaders, "bake/shape.comp");
   EXPECT_EQ(shape.program().block_offsets("BakeBlock"), bake::BakeBlock::offsets());
 }

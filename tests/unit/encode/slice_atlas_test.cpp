@@ -123,9 +123,33 @@ TEST(SliceAtlas, CarriesItsAttributes) {
   for (const char* name : {"R", "G", "B", "A"}) EXPECT_EQ(atlas.header.channels()[name].type, Imf::HALF) << name;
 }
 
+// One channel of halves comes out bit for bit.
+TEST(SliceAtlas, HoldsAVolumeOfHalves) {
+  std::vector<std::uint8_t> texels;
+  for (int i = 0; i < 3 * 3 * 2; ++i) {
+    const half value(0.37F * static_cast<float>(i) - 1);
+    texels.push_back(static_cast<std::uint8_t>(value.bits() & 0xff));
+    texels.push_back(static_cast<std::uint8_t>(value.bits() >> 8));
+  }
+  Bytes bytes(encode::slice_atlas_exr(texels, 3, 2, {}, VolumeFormat::r16f));
+  Imf::InputFile file(bytes);
+  ASSERT_EQ(file.header().dataWindow().max.x, 5);
+  std::vector<half> pixels(6 * 3);
+  Imf::FrameBuffer buffer;
+  buffer.insert("Y", Imf::Slice(Imf::HALF, reinterpret_cast<char*>(pixels.data()), sizeof(half), 6 * sizeof(half)));
+  file.setFrameBuffer(buffer);
+  file.readPixels(0, 2);
+  EXPECT_EQ(std::next(file.header().channels().begin()), file.header().channels().end());
+  for (std::size_t i = 0; i < 18; ++i) {
+    const std::size_t x = i % 3, north = i / 3 % 3, z = i / 9;
+    EXPECT_EQ(pixels[(2 - north) * 6 + 3 * z + x].bits(), half(0.37F * static_cast<float>(i) - 1).bits()) << i;
+  }
+}
+
 TEST(SliceAtlas, RefusesAVolumeOfAnotherSize) {
   EXPECT_THROW(encode::slice_atlas_exr(volume(4, 4), 4, 5, {}), Error);
   EXPECT_THROW(encode::slice_atlas_exr({}, 1, 1, {}), Error);
+  EXPECT_THROW(encode::slice_atlas_exr(volume(4, 4), 4, 4, {}, VolumeFormat::r16f), Error);
 }
 
 }  // namespace

@@ -122,6 +122,8 @@ TEST_F(Viewer, bad_values_are_answered_and_the_stream_goes_on) {
   EXPECT_EQ(close_code(), 0);
   say(R"({"type":"settings","size_px":[5000,16]})");
   expect_error(false, "/size_px");
+  say(R"({"type":"settings","cloudscape":{"volume":{"resolution":512}}})");
+  expect_error(false, "/cloudscape/volume/resolution");
   say(R"({"type":"settings","size_px":[3840,3840]})");
   const Json message = heard();
   EXPECT_NE(message["message"].get<std::string>().find("8.3 megapixels"), std::string::npos) << message;

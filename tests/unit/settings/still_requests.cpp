@@ -188,6 +188,23 @@ TEST_F(Stills, WorkAboveTheServersLimitsIsNamed) {
   EXPECT_NO_THROW(query({{"width", "3840"}, {"height", "2160"}}));
 }
 
+TEST_F(Stills, TexturesAboveTheServersLimitAreNamed) {
+  const auto asked = [&](int resolution, const std::string& format, double max_bake_mib) {
+    const std::string volume =
+        R"({"resolution": )" + std::to_string(resolution) + R"(, "format": ")" + format + R"("})";
+    still_from_json(R"({"cloudscape": {"volume": )" + volume + "}}", library, {.max_bake_mib = max_bake_mib});
+  };
+  const auto refused = refusal<OverLimit>([&] { asked(512, "rgba8", 128); });
+  EXPECT_EQ(refused.pointer, "/cloudscape/volume/resolution");
+  EXPECT_THAT(refused.sentence,
+              HasSubstr("is 512 in rgba8, whose textures take 512.25 MiB: this server's limit is 128"));
+  EXPECT_THAT(refused.sentence, HasSubstr("max_bake_mib"));
+  EXPECT_THROW(asked(512, "r16f", 128), OverLimit);
+  EXPECT_NO_THROW(asked(512, "r16f", 257));
+  EXPECT_NO_THROW(asked(256, "rgba8", StillLimits{}.max_bake_mib));
+  EXPECT_THROW(query({}, {.max_bake_mib = 1}), OverLimit);
+}
+
 TEST_F(Stills, ParametersDescribeThemselves) {
   const auto parameters = still_parameters({2048, 9, 60});
   const auto find = [&](const std::string& name) {

@@ -18,6 +18,7 @@ inline std::array<std::uint8_t, 256> current_permutation = cloudscape::bake::per
 int permutation(int index) { return current_permutation.at(static_cast<std::size_t>(index)); }
 
 #include "lib/atmosphere.glsl"
+#include "lib/bloom.glsl"
 #include "lib/constants.glsl"
 #include "lib/display.glsl"
 #include "lib/ground.glsl"
