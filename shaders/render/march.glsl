@@ -70,8 +70,9 @@ struct Walk {
 };
 
 // Goes on to the next sample in cloud, or to the path's end. The preprocessed structure of Olajos 2.4.2: large steps outside it;
-// one large step back where it begins; small steps inside, until they add up to a large one, and then it is asked again. One loop
-// for both kinds of step: a software rasterizer goes through a loop for all of its lanes until the last is done.
+// one large step back where it begins, and on by what the padding is known to leave free; small steps inside, until they add up to a
+// large one, and then it is asked again. One loop for both kinds of step: a software rasterizer goes through a loop for all of its
+// lanes until the last is done.
 Walk walk_to_cloud(CameraRay ray, Stretch path, Walk walk) {
   float large_m = cloud.structure.x;
   float last = path.end - 1.0;  // where the structure is asked for the last time
@@ -82,7 +83,7 @@ Walk walk_to_cloud(CameraRay ray, Stretch path, Walk walk) {
     walk.land = land_at(p);
     if (walk.t >= walk.run_end && large_m > small_m) {
       if (inside_structure(p, walk.land)) {
-        if (walk.outside >= 0.0) walk.t = walk.outside;
+        if (walk.outside >= 0.0) walk.t = walk.outside + cloud.structure.z;
         walk.outside = -1.0;
         walk.run_end = walk.t + large_m;
       } else {
@@ -104,17 +105,25 @@ March march_layer(CameraRay ray, RayLight light, Stretch path, float jitter, flo
   path.gap_end += jitter * small_step_m(path.gap_end);
   Walk walk = Walk(begin, begin, -1.0, 0.0, 0.0, Land(0.0, vec2(0.0)));
   while (walk.steps < cloud.steps.z && walk.t < path.end && march.transmittance >= stop_transmittance) {
-    walk = walk_to_cloud(ray, path, walk);
-    if (walk.value <= 0.0) break;
-    float step_m = small_step_m(walk.t);
-    vec3 p = ray.origin + ray.direction * walk.t;
-    float density = density_of(walk.value, visible_erosion(p, step_m), step_m);
+    // The loops stand one in the other so that each sample costs no more than it must: look for shape noise, then erode it, and
+    // light only what is left.
+    float step_m = 0.0, density = 0.0;
+    vec3 p = ray.origin;
+    while (density <= 0.0) {
+      walk = walk_to_cloud(ray, path, walk);
+      if (walk.value <= 0.0) break;
+      step_m = small_step_m(walk.t);
+      p = ray.origin + ray.direction * walk.t;
+      density = density_of(walk.value, visible_erosion(p, step_m), step_m);
+      walk.t = beyond_gap(walk.t + step_m, path);
+      ++walk.steps;
+    }
+    if (density <= 0.0) break;
     // Which sample of the ray it is, whatever steps led to it: the structure must not change how light is sampled.
-    float number = floor((walk.t - path.begin) / cloud.steps.x);
-    Sample at = Sample(p, walk.land, walk.t, density, fract(jitter + golden_ratio * number));
-    if (density > 0.0) march = advance(march, light, at, min(step_m, 2.0 * (path.end - walk.t)));
-    walk.t = beyond_gap(walk.t + step_m, path);
-    ++walk.steps;
+    float distance_m = dot(p - ray.origin, ray.direction);
+    float number = floor((distance_m - path.begin) / cloud.steps.x);
+    Sample at = Sample(p, walk.land, distance_m, density, fract(jitter + golden_ratio * number));
+    march = advance(march, light, at, min(step_m, 2.0 * (path.end - distance_m)));
   }
   return march;
 }
