@@ -9,8 +9,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// A downward recurrence forgets its start within some orders above |z|; Bohren and Huffman's 16 (appendix A) are too few
-// where |z| is large: the functions begin to decay over a width of |z|^(1/3) orders.
+// A downward recurrence forgets its start within some orders above |z|; Bohren and Huffman's 16 (appendix A) are too
+// few where |z| is large: the functions begin to decay over a width of |z|^(1/3) orders.
 int start_above(double z) { return static_cast<int>(z + 8 * std::cbrt(z)) + 16; }
 
 // D_n = psi_n' / psi_n at z = m x, index n; downward, which is the stable direction.
@@ -75,9 +75,7 @@ struct AngularFunctions {
 
 }  // namespace
 
-int mie_order(double size_parameter) {
-  return static_cast<int>(size_parameter + 4.05 * std::cbrt(size_parameter) + 3);
-}
+int mie_order(double size_parameter) { return static_cast<int>(size_parameter + 4.05 * std::cbrt(size_parameter) + 3); }
 
 // Bohren and Huffman, equation 4.88.
 MieCoefficients mie_coefficients(double size_parameter, Complex index) {

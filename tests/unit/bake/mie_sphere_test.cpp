@@ -48,10 +48,10 @@ TEST(MieSphere, MeetsThePublishedBackscattering) {
   struct {
     Complex index;
     double size_parameter, extinction, scattering, asymmetry_g, back, tolerance;
-  } const cases[] = {{1.55, 2 * std::numbers::pi * 0.525 / 0.6328, 3.10543, 3.10543, 0.63314, 2.92534, 0.51e-5},
-                     {{1.55, -0.1}, 2 * std::numbers::pi * 0.525 / 0.6328, 2.86165188, 1.66424912, 0.80128973,
-                      0.20599534, 0.51e-8},
-                     {{1.5, -0.5}, 2.5, 2.562873497, 1.097071819, 0.748905979, 0.123586468, 0.51e-9}};
+  } const cases[] = {
+      {1.55, 2 * std::numbers::pi * 0.525 / 0.6328, 3.10543, 3.10543, 0.63314, 2.92534, 0.51e-5},
+      {{1.55, -0.1}, 2 * std::numbers::pi * 0.525 / 0.6328, 2.86165188, 1.66424912, 0.80128973, 0.20599534, 0.51e-8},
+      {{1.5, -0.5}, 2.5, 2.562873497, 1.097071819, 0.748905979, 0.123586468, 0.51e-9}};
   for (const auto& known : cases) {
     const MieEfficiencies found = mie_efficiencies(mie_coefficients(known.size_parameter, known.index));
     EXPECT_NEAR(found.extinction, known.extinction, known.tolerance) << known.index;
@@ -84,7 +84,7 @@ TEST(MieSphere, MeetsBohrenAndHuffmansIntensityAndPolarisation) {
     const MieAmplitudes at = mie_amplitudes(sphere, std::cos(angle_deg * std::numbers::pi / 180));
     return (std::norm(at.s1) + std::norm(at.s2)) / 2;
   };
-  const double known[][2] = {{9, .785390},  {18, .356897}, {27, .0766119}, {36, .0355355},
+  const double known[][2] = {{9, .785390},   {18, .356897},  {27, .0766119}, {36, .0355355},
                              {45, .0701845}, {90, .0124601}, {180, .0383189}};
   for (const auto& [angle_deg, ratio] : known)
     EXPECT_NEAR(intensity(angle_deg) / intensity(0), ratio, 0.51e-5 * ratio / 0.1) << angle_deg;
