@@ -15,18 +15,20 @@ Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       composite_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f}),
       tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}) {}
 
-void Passes::march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked, int row_begin,
-                   int row_end) const {
+void Passes::march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked,
+                   const Texture* phase, int row_begin, int row_end) const {
   const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
   const Binding tables[] = {{8, &sky.transmittance}, {9, &sky.view}, {10, &sky.light}};
-  const Binding textures[] = {{0, &baked.shape()},
-                              {1, &baked.detail()},
-                              {2, &baked.variation()},
-                              {3, &targets.scene_depth},
-                              tables[0],
-                              tables[1],
-                              tables[2]};
+  const Binding all_textures[] = {{0, &baked.shape()},
+                                  {1, &baked.detail()},
+                                  {2, &baked.variation()},
+                                  {3, &targets.scene_depth},
+                                  tables[0],
+                                  tables[1],
+                                  tables[2],
+                                  {5, phase}};
+  const auto textures = std::span(all_textures).first(phase ? std::size(all_textures) : std::size(all_textures) - 1);
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);

@@ -52,15 +52,7 @@ std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
 
 bool Renderer::advance(RenderJob& job) {
   const auto start = Clock::now();
-  if (!job.baked) {
-    const bake::BakeRecipe recipe = bake::bake_recipe(*job.request.cloudscape);
-    job.baked = bakes_.find(recipe);
-    if (!job.baked) {
-      bakes_.advance(recipe);
-      context_.finish();
-      return false;
-    }
-  }
+  if (!find_baked(job)) return false;
   if (!job.targets) {
     job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
@@ -73,6 +65,26 @@ bool Renderer::advance(RenderJob& job) {
   return done;
 }
 
+// All that is computed before the first frame of a cloudscape; else computes a slice of it.
+bool Renderer::find_baked(RenderJob& job) {
+  const Cloudscape& sky = *job.request.cloudscape;
+  if (!job.baked) {
+    const bake::BakeRecipe recipe = bake::bake_recipe(sky);
+    job.baked = bakes_.find(recipe);
+    if (!job.baked) {
+      bakes_.advance(recipe);
+      context_.finish();
+      return false;
+    }
+  }
+  const Phase& phase = sky.medium.phase;
+  if (job.phase || phase.kind != PhaseKind::mie) return true;
+  const bake::PhaseRecipe recipe{.effective_radius_um = phase.effective_radius_um,
+                                 .effective_variance = phase.effective_variance};
+  job.phase = bakes_.phases().find(recipe, sky.sun.angular_radius_deg);
+  return job.phase != nullptr;
+}
+
 int Renderer::rows_of_next_slice(const RenderJob& job) const {
   const int width = job.targets->march_radiance.width();
   const double pixels = context_.device().software ? slice_ms * pixels_per_ms_
@@ -83,14 +95,15 @@ int Renderer::rows_of_next_slice(const RenderJob& job) const {
 void Renderer::render_rows(RenderJob& job) {
   const auto start = Clock::now();
   const FrameBlock frame = frame_block(job.request, job.sample);
-  const CloudBlock cloud = cloud_block(job.request, *job.baked);
+  CloudBlock cloud = cloud_block(job.request, *job.baked);
+  if (job.phase) cloud.phase.x = static_cast<float>(job.phase->mean_asymmetry_g);
   frame_block_.upload(frame);
   cloud_block_.upload(cloud);
   frame_block_.bind();
   cloud_block_.bind();
   const SkyTables::Set& sky = sky_.get(frame, cloud);
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
-  passes_.march(*job.targets, sky, *job.baked, job.row, end);
+  passes_.march(*job.targets, sky, *job.baked, job.phase ? &job.phase->texture : nullptr, job.row, end);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
   job.row = end;
   if (!context_.device().software) return context_.flush();
