@@ -2,6 +2,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <list>
+#include <utility>
 #include <vector>
 
 #include "bake/recipe.h"
@@ -18,9 +21,12 @@ struct BakedTexels {
   bool operator==(const BakedTexels&) const = default;
 };
 
+constexpr int structure_padding = 2;  // cells around the clouds: the double padding of Olajos 2.4.2
+
 class BakedCloudscape {
  public:
-  explicit BakedCloudscape(const BakedTexels& texels);
+  explicit BakedCloudscape(BakedTexels texels);
+  const BakedTexels& texels() const { return texels_; }
   const gpu::Texture& shape() const { return shape_; }
   const gpu::Texture& detail() const { return detail_; }
   const gpu::Texture& variation() const { return variation_; }
@@ -32,13 +38,23 @@ class BakedCloudscape {
   const Extent& extent(const std::array<double, 3>& weights) const;
   // The cut-off above which the share `coverage` of the tile's columns holds cloud, in units of the shape channel.
   double threshold_for(double coverage, const std::array<double, 3>& weights) const;
+  glm::ivec3 structure_size() const { return structure_size_; }  // cells east, north and up, about as high as wide
+  // The steepest slopes of the variation map, per period: of what changes the threshold, and of what shifts the tile.
+  struct Slopes {
+    double threshold = 0, shift = 0;
+  };
+  Slopes steepest_variation() const { return steepest_variation_; }
   std::size_t bytes() const { return shape_.bytes() + detail_.bytes() + variation_.bytes(); }
 
  private:
+  friend class StructureBuilder;
   gpu::Texture shape_, detail_, variation_;
-  std::vector<std::uint8_t> texels_;  // of the shape texture
+  BakedTexels texels_;
   mutable std::array<double, 3> weights_{};
   mutable Extent extent_;
+  glm::ivec3 structure_size_{1};
+  Slopes steepest_variation_;
+  mutable std::list<std::pair<std::array<double, 3>, gpu::Texture>> structures_;  // most recently used first
 };
 
 struct HeightRange {

@@ -10,4 +10,5 @@
 namespace cloudscape::bake {
 using glm::ivec4, glm::uvec4, glm::vec4;
 #include "shared/bake_block.glsl"
+#include "shared/structure_block.glsl"
 }  // namespace cloudscape::bake

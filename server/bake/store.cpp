@@ -62,8 +62,7 @@ std::shared_ptr<const BakedCloudscape> BakeStore::get(const BakeRecipe& recipe) 
 
 BakedTexels BakeStore::texels(const BakeRecipe& recipe) {
   if (auto cached = cache_.load(recipe)) return *cached;
-  const auto baked = get(recipe);
-  return {recipe, baked->shape().download(), baked->detail().download(), baked->variation().download()};
+  return get(recipe)->texels();
 }
 
 std::size_t BakeStore::bytes() const {

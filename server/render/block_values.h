@@ -1,5 +1,6 @@
 // Requests to uniform blocks: where doubles of the document become floats of the device.
 #pragma once
+#include <array>
 #include <glm/vec3.hpp>
 
 #include "bake/baked_cloudscape.h"
@@ -17,6 +18,9 @@ CameraAxes camera_axes(const CameraPose& pose);
 
 // Unit vector from azimuth and elevation, degrees.
 glm::dvec3 direction_of(double azimuth_deg, double elevation_deg);
+
+// What the march mixes the shape texture's finer channels in with.
+std::array<double, 3> mixing_weights(const Cloudscape& sky);
 
 // `sample`: index in the average that the frame belongs to; 0 looks through the middle of the pixel.
 FrameBlock frame_block(const FrameRequest& request, int sample);

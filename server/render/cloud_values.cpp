@@ -40,17 +40,17 @@ void set_light_function(CloudBlock& block, const LightFunction& light) {
   block.octave_extinction_low = extinction.low, block.octave_extinction_high = extinction.high;
   block.octave_asymmetry_low = asymmetry.low, block.octave_asymmetry_high = asymmetry.high;
   block.olajos = {light.olajos_attenuation, light.olajos_in_scatter, light.olajos_gain, 0};
-}
-
-std::array<double, 3> weights_of(const Noise& noise) {
-  return {noise.channels[1].weight, noise.channels[2].weight, noise.channels[3].weight};
+  block.olajos_dark = xyz_w(light.olajos_dark, 0), block.olajos_bright = xyz_w(light.olajos_bright, 0);
 }
 
 double threshold_of(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
   const double mean_erosion = 0.5 * sky.detail.strength;  // shaders/render/medium.glsl
   if (sky.shape.threshold) return *sky.shape.threshold;
-  return baked.threshold_for(sky.shape.coverage, weights_of(sky.noise)) - mean_erosion;
+  return baked.threshold_for(sky.shape.coverage, mixing_weights(sky)) - mean_erosion;
 }
+
+// tuned: the share of a tile by which the variation moves it; a third hides repetition without smearing shapes.
+constexpr double variation_shift = 0.35;
 
 // Half of how far the threshold swings. tuned: half the threshold is enough to open and close the sky.
 double swing_of(const CoverageVariation& slow) { return slow.amount * 0.25; }
@@ -59,7 +59,7 @@ double swing_of(const CoverageVariation& slow) { return slow.amount * 0.25; }
 glm::dvec2 cloud_altitudes_m(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
   const Volume& volume = sky.volume;
   const double lowest_threshold = threshold_of(sky, baked) - swing_of(sky.shape.coverage_variation);
-  const bake::HeightRange range = bake::heights_above(baked.extent(weights_of(sky.noise)), lowest_threshold);
+  const bake::HeightRange range = bake::heights_above(baked.extent(mixing_weights(sky)), lowest_threshold);
   return {volume.origin_m.z + range.low * volume.size_m.z, volume.origin_m.z + range.high * volume.size_m.z};
 }
 
@@ -68,9 +68,8 @@ void set_shape(CloudBlock& block, const FrameRequest& request, const bake::Baked
   const glm::dvec2 at_m = drifted(request);
   const auto& channels = sky.noise.channels;
   const CoverageVariation& slow = sky.shape.coverage_variation;
-  // tuned: half the threshold is enough to open and close the sky; a third of a tile hides repetition without smearing
-  // shapes.
-  block.shape = {threshold_of(sky, baked), sky.shape.edge_softness, 2 * swing_of(slow), sky.volume.tiling ? 0.35 : 0.0};
+  block.shape = {threshold_of(sky, baked), sky.shape.edge_softness, 2 * swing_of(slow),
+                 sky.volume.tiling ? variation_shift : 0.0};
   block.weights = {1, channels[1].weight, channels[2].weight, channels[3].weight};
   const double period_m = 4 * slow.wavelength_m;  // shaders/bake/variation.comp
   block.variation = {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), 0};
@@ -80,14 +79,59 @@ void set_shape(CloudBlock& block, const FrameRequest& request, const bake::Baked
   block.erosion = {sky.detail.strength, 0.5 * sky.detail.period_m, 0.1 * sky.detail.period_m, 0};
 }
 
+// The longest large step that leaves out no cloud: twice the padding, since a cloud between two points is near one of
+// them, less what the variation of the land bends the tile on the way (Olajos 2.4.2 has one cell, which is always
+// less).
+double longest_large_step_m(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
+  const glm::dvec3 cells(baked.structure_size());
+  const glm::dvec3 cell_m = sky.volume.size_m / cells;
+  const double padding_m = bake::structure_padding * std::min({cell_m.x, cell_m.y, cell_m.z});
+  if (sky.shape.coverage_variation.amount <= 0 || !sky.volume.tiling) return 2 * padding_m;
+  const double period_m = 4 * sky.shape.coverage_variation.wavelength_m;
+  const double bend = variation_shift * std::max(sky.volume.size_m.x, sky.volume.size_m.y) *
+                      baked.steepest_variation().shift / period_m;
+  return 2 * padding_m / (1 + bend);
+}
+
+// A whole number of small steps where these have one length, so that the samples inside lie where they would without
+// the structure. 0: no large steps.
+double large_step_m(const March& march, double longest_m) {
+  const double wanted_m = std::min(march.large_step_m.value_or(longest_m), longest_m);
+  if (!march.structure) return 0;
+  return march.step_m ? std::floor(wanted_m / *march.step_m) * *march.step_m : wanted_m;
+}
+
+void set_march(CloudBlock& block, const FrameRequest& request, const bake::BakedCloudscape& baked) {
+  const Cloudscape& sky = *request.cloudscape;
+  const March& march = request.march;
+  const RenderQuality& quality = request.quality;
+  const bool layer = sky.volume.kind == VolumeKind::noise;
+  block.steps = {march.step_m.value_or(quality.step_m), march.step_m ? 0.0 : quality.step_growth,
+                 march.max_steps.value_or(quality.max_steps), march.light_steps.value_or(quality.light_steps)};
+  block.adaptive = {march.adaptive_start_m, march.adaptive_step ? march.adaptive_growth : 0.0, march.random_first_step,
+                    march.lighting};
+  const glm::dvec2 altitudes_m = layer ? cloud_altitudes_m(sky, baked) : glm::dvec2(0);
+  // tuned: light from farther than this is diffuse anyway.
+  const double light_m = march.light_length_m.value_or(std::clamp(1.5 * sky.volume.size_m.z, 800.0, 4000.0));
+  block.march = {layer ? light_m : 1e7, layer ? march.max_distance_m : 1e8, altitudes_m.x, altitudes_m.y};
+  const double large_m = layer ? large_step_m(march, longest_large_step_m(sky, baked)) : 0.0;
+  const double period_m = 4 * sky.shape.coverage_variation.wavelength_m;
+  // How much lower the threshold can be half a large step away.
+  const double slack = block.shape.z * baked.steepest_variation().threshold / period_m * 0.5 * large_m;
+  block.structure = {large_m, slack, 0, 0};
+}
+
 }  // namespace
+
+std::array<double, 3> mixing_weights(const Cloudscape& sky) {
+  const auto& channels = sky.noise.channels;
+  return {channels[1].weight, channels[2].weight, channels[3].weight};
+}
 
 CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape& baked) {
   const Cloudscape& sky = *request.cloudscape;
   const Volume& volume = sky.volume;
-  const RenderQuality& quality = request.quality;
   const glm::dvec3 below_camera(request.pose.position_m.x, request.pose.position_m.y, 0);
-  const bool layer = volume.kind == VolumeKind::noise;
   CloudBlock block;
   block.layer = {volume.origin_m.z, volume.origin_m.z + volume.size_m.z, 1 / volume.size_m.z,
                  static_cast<int>(volume.kind)};
@@ -101,11 +145,7 @@ CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape&
   block.phase = {medium.phase.asymmetry_g, medium.phase.second_asymmetry_g, medium.phase.second_weight,
                  static_cast<int>(medium.light_function.kind)};
   set_light_function(block, medium.light_function);
-  block.steps = {quality.step_m, quality.step_growth, quality.max_steps, quality.light_steps};
-  const glm::dvec2 altitudes_m = layer ? cloud_altitudes_m(sky, baked) : glm::dvec2(0);
-  // tuned: light from farther than this is diffuse anyway; clouds beyond 90 km are lost in the air.
-  block.march = {layer ? std::clamp(1.5 * volume.size_m.z, 800.0, 4000.0) : 1e7, layer ? 9e4 : 1e8, altitudes_m.x,
-                 altitudes_m.y};
+  set_march(block, request, baked);
   return block;
 }
 

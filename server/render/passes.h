@@ -11,9 +11,12 @@ class Passes {
  public:
   Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders);
   // Rows of the march target: the scene behind them, then the clouds. Both blocks must be bound.
-  // `phase`: the table that the march looks its phase function up in, nullptr where it has none.
-  void march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked,
-             const gpu::Texture* phase, int row_begin, int row_end) const;
+  struct Medium {
+    const bake::BakedCloudscape& baked;
+    const gpu::Texture& structure;
+    const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
+  };
+  void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;
   // The whole picture into targets.scratch, averaged with `previous`.
   void composite(const Targets& targets, const Accumulation& previous) const;
   void tone_map(const Targets& targets, const Accumulation& accumulation) const;

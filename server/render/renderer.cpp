@@ -29,6 +29,7 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
     : context_(context),
       shaders_(shaders),
       bakes_(bakes),
+      structures_(shaders),
       passes_(context, shaders),
       sky_(context, shaders),
       frame_block_("frame"),
@@ -89,7 +90,7 @@ int Renderer::rows_of_next_slice(const RenderJob& job) const {
   const int width = job.targets->march_radiance.width();
   const double pixels = context_.device().software ? slice_ms * pixels_per_ms_
                                                    : gpu_steps_per_slice / std::max(1, job.request.quality.max_steps);
-  return std::max(8, static_cast<int>(pixels / width));
+  return std::max(1, static_cast<int>(pixels / width));
 }
 
 void Renderer::render_rows(RenderJob& job) {
@@ -103,7 +104,9 @@ void Renderer::render_rows(RenderJob& job) {
   cloud_block_.bind();
   const SkyTables::Set& sky = sky_.get(frame, cloud);
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
-  passes_.march(*job.targets, sky, *job.baked, job.phase ? &job.phase->texture : nullptr, job.row, end);
+  const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
+  const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
+  passes_.march(*job.targets, sky, {*job.baked, structure, phase}, job.row, end);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
   job.row = end;
   if (!context_.device().software) return context_.flush();

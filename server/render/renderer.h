@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "bake/store.h"
+#include "bake/structure.h"
 #include "core/frame.h"
 #include "gpu/context.h"
 #include "gpu/readback.h"
@@ -68,6 +69,7 @@ class Renderer {
   const gpu::Context& context_;
   gpu::ShaderLibrary& shaders_;
   bake::BakeStore& bakes_;
+  bake::StructureBuilder structures_;
   Passes passes_;
   SkyTables sky_;
   TargetPool pool_;

@@ -1,10 +1,8 @@
-// Camera paths: reading, and the spline between the keys.
+// Camera paths: the curves between the keys.
 #include "settings/camera_path.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "settings/described_json.h"
 
 namespace cloudscape::settings {
 namespace {
@@ -20,25 +18,8 @@ std::array<double, 7> numbers_of(const Key& key) {
 
 Key key_of(double time_s, const std::array<double, 7>& n) {
   // The spline may swing past its keys: what has bounds is kept in them.
-  return {time_s, {{n[0], n[1], n[2]}, n[3], std::clamp(n[4], -90.0, 90.0), n[5]}, std::clamp(n[6], 1.0, 170.0)};
-}
-
-// The angle that is equal to `angle_deg` but for whole turns, and nearest to `to_deg`.
-double unwound(double angle_deg, double to_deg) { return angle_deg + 360.0 * std::round((to_deg - angle_deg) / 360.0); }
-
-void check_times(const CameraPath& path) {
-  for (std::size_t i = 1; i < path.keys.size(); ++i)
-    if (path.keys[i].time_s <= path.keys[i - 1].time_s)
-      refuse("/keys/" + std::to_string(i) + "/time_s", path.keys[i].time_s,
-             "more than the key's before, " + number_text(path.keys[i - 1].time_s));
-}
-
-void unwind(CameraPath& path) {
-  for (std::size_t i = 1; i < path.keys.size(); ++i) {
-    CameraPose &pose = path.keys[i].pose, &before = path.keys[i - 1].pose;
-    pose.azimuth_deg = unwound(pose.azimuth_deg, before.azimuth_deg);
-    pose.roll_deg = unwound(pose.roll_deg, before.roll_deg);
-  }
+  return {
+      time_s, {{n[0], n[1], n[2]}, n[3], std::clamp(n[4], -90.0, 90.0), n[5]}, std::clamp(n[6], 1.0, 170.0), {}, {}};
 }
 
 // Cubic Hermite interpolation at `share` of the interval from p1 to p2, which lasts `span_s`. The slope at a key is
@@ -51,31 +32,21 @@ double spline(const std::array<double, 4>& p, const std::array<double, 4>& t, do
   return (2 * s3 - 3 * s2 + 1) * p[1] + (s3 - 2 * s2 + s) * slope_1 + (3 * s2 - 2 * s3) * p[2] + (s3 - s2) * slope_2;
 }
 
+// The cubic Bezier curve from one key to the next (de Casteljau 1959) at `share` of the time between them.
+glm::dvec3 bezier(const Key& from, const Key& to, double share) {
+  const glm::dvec3 begin = from.pose.position_m, end = to.pose.position_m;
+  const glm::dvec3 leaving = from.out_m.value_or((2.0 * begin + end) / 3.0);
+  const glm::dvec3 arriving = to.in_m.value_or((begin + 2.0 * end) / 3.0);
+  const double s = share, rest = 1 - share;
+  return rest * rest * rest * begin + 3 * rest * rest * s * leaving + 3 * rest * s * s * arriving + s * s * s * end;
+}
+
 }  // namespace
-
-Limits CameraPath::limits_of_fov() {
-  Limits found;
-  const Lens lens;
-  Lens::fields(lens, [&](std::string_view name, const auto&, const Limits& limits, std::string_view) {
-    if (name == "vertical_fov_deg") found = limits;
-  });
-  return found;
-}
-
-CameraPath parse_camera_path(std::string_view text, const std::string& source) {
-  CameraPath path;
-  const nlohmann::json json = parse_json(text, source);
-  read(json, path, "");
-  if (path.keys.empty()) throw InvalidInput("/keys", "is missing: must have at least 1 key");
-  check_times(path);
-  unwind(path);
-  return path;
-}
 
 Key key_at(const CameraPath& path, double time_s) {
   const auto& keys = path.keys;
-  if (!(time_s > keys.front().time_s)) return keys.front();
-  if (time_s >= keys.back().time_s) return keys.back();
+  if (!(time_s > keys.front().time_s)) return key_of(keys.front().time_s, numbers_of(keys.front()));
+  if (time_s >= keys.back().time_s) return key_of(keys.back().time_s, numbers_of(keys.back()));
   const auto after =
       std::upper_bound(keys.begin(), keys.end(), time_s, [](double time, const Key& key) { return time < key.time_s; });
   const auto second = static_cast<std::size_t>(after - keys.begin());
@@ -84,13 +55,22 @@ Key key_at(const CameraPath& path, double time_s) {
   std::array<double, 4> times{};
   std::array<std::array<double, 7>, 4> numbers{};
   for (std::size_t i = 0; i < 4; ++i) times[i] = keys[around[i]].time_s, numbers[i] = numbers_of(keys[around[i]]);
+  const double share = (time_s - times[1]) / (times[2] - times[1]);
   std::array<double, 7> between{};
   for (std::size_t n = 0; n < between.size(); ++n)
-    between[n] = spline({numbers[0][n], numbers[1][n], numbers[2][n], numbers[3][n]}, times,
-                        (time_s - times[1]) / (times[2] - times[1]));
-  return key_of(time_s, between);
+    between[n] = spline({numbers[0][n], numbers[1][n], numbers[2][n], numbers[3][n]}, times, share);
+  Key key = key_of(time_s, between);
+  if (path.interpolation == PathInterpolation::bezier)
+    key.pose.position_m = bezier(keys[second - 1], keys[second], share);
+  return key;
 }
 
 CameraPose at(const CameraPath& path, double time_s) { return key_at(path, time_s).pose; }
+
+const CameraPath::Section* section_at(const CameraPath& path, double time_s) {
+  for (auto section = path.sections.rbegin(); section != path.sections.rend(); ++section)
+    if (time_s >= section->begin_s && time_s <= section->end_s) return &*section;
+  return nullptr;
+}
 
 }  // namespace cloudscape::settings

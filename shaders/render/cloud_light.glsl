@@ -8,6 +8,13 @@
 
 const int light_single = 0;
 const int light_olajos = 1;
+bool lighting() { return cloud.adaptive.w > 0.0; }
+
+// Where the sample of light step i lies: the steps end at the squares of their number's share.
+float light_distance_m(float begin_m, float end_m, float i, float jitter) {
+  float share = (i * i + jitter * (2.0 * i + 1.0)) / (cloud.steps.w * cloud.steps.w);
+  return mix(begin_m, end_m, share);
+}
 
 // Optical depth from p towards the sun. Steps grow with the square of their number: near occluders matter most. `jitter` (0..1)
 // places the samples in their steps: what few samples miss becomes noise, which averages out, and not contours. `land` is that of
@@ -19,19 +26,25 @@ float sun_optical_depth(vec3 p, Land land, float jitter) {
   if (end_m <= path.begin) return 0.0;
   if (volume_kind() != volume_noise && volume_kind() != volume_gaussian)
     return cloud.medium.x * (path.end - path.begin);
-  int steps = int(cloud.steps.w);
+  float steps = cloud.steps.w;
   float sum_m = 0.0;
-  float previous = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    float next = float(i + 1) / float(steps);
-    next *= next;
-    float sample_m = mix(path.begin, end_m, mix(previous, next, jitter));
+  if (volume_kind() == volume_gaussian) {
+    for (float i = 0.0; i < steps; ++i)
+      sum_m += analytic_density(p + sun * light_distance_m(path.begin, end_m, i, jitter)) * (2.0 * i + 1.0);
+  } else {
     // tuned: the two nearest samples see the detail that shades the surface, the others do not.
-    float spacing_m = i < 2 ? cloud.erosion.z : cloud.erosion.y;
-    sum_m += density_at(p + sun * sample_m, land, spacing_m) * (next - previous);
-    previous = next;
+    float near = min(steps, 2.0);
+    for (float i = 0.0; i < near; ++i) {
+      vec3 at = p + sun * light_distance_m(path.begin, end_m, i, jitter);
+      float value = shape_above_threshold(at, land);
+      sum_m += density_of(value, erosion_at(at, height_in_layer(at), false), cloud.erosion.z) * (2.0 * i + 1.0);
+    }
+    for (float i = near; i < steps; ++i) {
+      float value = shape_above_threshold(p + sun * light_distance_m(path.begin, end_m, i, jitter), land);
+      sum_m += density_of(value, mean_erosion, cloud.erosion.y) * (2.0 * i + 1.0);
+    }
   }
-  return sum_m * (end_m - path.begin) * cloud.medium.x;
+  return sum_m * (end_m - path.begin) * cloud.medium.x / (steps * steps);
 }
 
 // What stays the same along a view ray: phase values of the sun, by octave, and the colours of the light.
@@ -89,8 +102,13 @@ vec3 ambient(RayLight light, float h) {
 
 // Radiance scattered per metre at density 1.
 vec3 source_radiance(RayLight light, vec3 p, Land land, float jitter) {
-  float h = clamp((altitude_of(p) - cloud.layer.x) * cloud.layer.z, 0.0, 1.0);
+  float h = clamp(height_in_layer(p), 0.0, 1.0);
   vec3 sun = mix(light.sun_bottom, light.sun_top, h);
-  return cloud.medium.y * (sun * sun_scatter(light, sun_optical_depth(p, land, jitter)) + ambient(light, h));
+  // tuned: without lighting all of the cloud is as bright as a white diffuse surface that the sun strikes at 60 degrees.
+  vec3 scatter = vec3(0.5 / pi);
+  if (lighting()) scatter = sun_scatter(light, sun_optical_depth(p, land, jitter));
+  if (int(cloud.phase.w) == light_olajos)
+    return cloud.medium.y * sun * (cloud.olajos_dark.xyz / pi + cloud.olajos_bright.xyz * scatter);
+  return cloud.medium.y * (sun * scatter + ambient(light, h));
 }
 #endif

@@ -17,14 +17,14 @@ struct March {
 
 // Offset of the first step in 0..1: differs between neighbouring pixels, and evenly over the samples of a pixel.
 float step_jitter(ivec2 pixel) {
+  if (cloud.adaptive.z == 0.0) return 0.5;
   float noise = interleaved_gradient_noise(vec2(pixel));
   return fract(noise + golden_ratio * float(frame.sample_info.x));
 }
 
-// A homogeneous medium is cut into equal steps, whose sum is the whole stretch wherever in its step each sample lies.
-float step_length_m(float distance_m, float stretch_m) {
-  if (volume_kind() != volume_noise) return stretch_m / cloud.steps.z;
-  return max(cloud.steps.x, cloud.steps.y * distance_m);
+// Length of the small step at a distance from the camera: what the quality asks for, and what the adaptive step adds (Olajos 2.4.2).
+float small_step_m(float distance_m) {
+  return max(cloud.steps.x, cloud.steps.y * distance_m) + cloud.adaptive.y * max(0.0, distance_m - cloud.adaptive.x);
 }
 
 struct Sample {
@@ -44,47 +44,93 @@ March advance(March march, RayLight light, Sample at, float step_m) {
   return march;
 }
 
-March march_ray(CameraRay ray, Stretch path, float jitter, bool odd, float stop_transmittance) {
-  RayLight light = ray_light(ray.direction);
+// A homogeneous medium is cut into equal steps, whose sum is the whole stretch wherever in its step each sample lies.
+March march_analytic(CameraRay ray, RayLight light, Stretch path, float jitter, float stop_transmittance) {
   March march = March(vec3(0.0), 1.0, 0.0, 0.0);
-  float stretch_m = path.end - path.begin;
-  float step_m = step_length_m(path.begin, stretch_m);
-  float t = path.begin + jitter * step_m;
-  int empty = 0;
-  bool layer = volume_kind() == volume_noise;
-  for (int i = 0; i < int(cloud.steps.z) && (t < path.end || !layer); ++i) {
-    if (t > path.gap_begin && t < path.gap_end) t = path.gap_end + jitter * step_m;
+  float step_m = (path.end - path.begin) / cloud.steps.z;
+  for (float i = 0.0; i < cloud.steps.z && march.transmittance >= stop_transmittance; ++i) {
+    float t = path.begin + (i + jitter) * step_m;
     vec3 p = ray.origin + ray.direction * t;
-    step_m = step_length_m(t, stretch_m);
-    Land land = land_at(p);
-    float density = density_at(p, land, step_m);
-    if (density > 0.0) {
-      if (empty > 4) {  // came with a double step: go back one, so that the edge is not cut
-        empty = 0;
-        t -= step_m;
-        continue;
-      }
-      empty = 0;
-      float length_m = layer ? min(step_m, 2.0 * (path.end - t)) : step_m;
-      march = advance(march, light, Sample(p, land, t, density, fract(jitter + golden_ratio * float(i))), length_m);
-      if (march.transmittance < stop_transmittance) {
-        march.transmittance = 0.0;
-        break;
-      }
-    } else if (layer) {
-      ++empty;
-    }
-    // Through empty air in double steps. Every other pixel and sample begins them one step later: all would else leave out the
-    // same places, and no number of samples would fill the gaps.
-    t += empty > 4 || (empty == 4 && odd) ? 2.0 * step_m : step_m;
+    Sample at = Sample(p, Land(0.0, vec2(0.0)), t, analytic_density(p), fract(jitter + golden_ratio * i));
+    march = advance(march, light, at, step_m);
   }
   return march;
+}
+
+float beyond_gap(float t, Stretch path) { return t > path.gap_begin && t < path.gap_end ? path.gap_end : t; }
+
+// Where a ray is on its way through the layer.
+struct Walk {
+  float t;        // of the next sample, m
+  float run_end;  // small steps until here, then the structure is asked again
+  float outside;  // the last point outside the structure, m; < 0: none since the small steps began
+  float steps;
+  float value;  // shape noise above the threshold at t; above 0: in cloud
+  Land land;    // there
+};
+
+// Goes on to the next sample in cloud, or to the path's end. The preprocessed structure of Olajos 2.4.2: large steps outside it;
+// one large step back where it begins; small steps inside, until they add up to a large one, and then it is asked again. One loop
+// for both kinds of step: a software rasterizer goes through a loop for all of its lanes until the last is done.
+Walk walk_to_cloud(CameraRay ray, Stretch path, Walk walk) {
+  float large_m = cloud.structure.x;
+  float last = path.end - 1.0;  // where the structure is asked for the last time
+  walk.value = 0.0;
+  for (; walk.steps < cloud.steps.z && walk.t < path.end; ++walk.steps) {
+    vec3 p = ray.origin + ray.direction * walk.t;
+    float small_m = small_step_m(walk.t);
+    walk.land = land_at(p);
+    if (walk.t >= walk.run_end && large_m > small_m) {
+      if (inside_structure(p, walk.land)) {
+        if (walk.outside >= 0.0) walk.t = walk.outside;
+        walk.outside = -1.0;
+        walk.run_end = walk.t + large_m;
+      } else {
+        walk.outside = walk.t;
+        walk.t = beyond_gap(walk.t < last ? min(walk.t + large_m, last) : path.end, path);
+      }
+    } else {
+      walk.value = shape_above_threshold(p, walk.land);
+      if (walk.value > 0.0) break;
+      walk.t = beyond_gap(walk.t + small_m, path);
+    }
+  }
+  return walk;
+}
+
+March march_layer(CameraRay ray, RayLight light, Stretch path, float jitter, float stop_transmittance) {
+  March march = March(vec3(0.0), 1.0, 0.0, 0.0);
+  float begin = path.begin + jitter * small_step_m(path.begin);
+  path.gap_end += jitter * small_step_m(path.gap_end);
+  Walk walk = Walk(begin, begin, -1.0, 0.0, 0.0, Land(0.0, vec2(0.0)));
+  while (walk.steps < cloud.steps.z && walk.t < path.end && march.transmittance >= stop_transmittance) {
+    walk = walk_to_cloud(ray, path, walk);
+    if (walk.value <= 0.0) break;
+    float step_m = small_step_m(walk.t);
+    vec3 p = ray.origin + ray.direction * walk.t;
+    float density = density_of(walk.value, visible_erosion(p, step_m), step_m);
+    // Which sample of the ray it is, whatever steps led to it: the structure must not change how light is sampled.
+    float number = floor((walk.t - path.begin) / cloud.steps.x);
+    Sample at = Sample(p, walk.land, walk.t, density, fract(jitter + golden_ratio * number));
+    if (density > 0.0) march = advance(march, light, at, min(step_m, 2.0 * (path.end - walk.t)));
+    walk.t = beyond_gap(walk.t + step_m, path);
+    ++walk.steps;
+  }
+  if (march.transmittance < stop_transmittance) march.transmittance = 0.0;
+  return march;
+}
+
+March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmittance) {
+  RayLight light = ray_light(ray.direction);
+  if (volume_kind() != volume_noise) return march_analytic(ray, light, path, jitter, stop_transmittance);
+  return march_layer(ray, light, path, jitter, stop_transmittance);
 }
 
 // Beam and diffuse light together: transmittance of a conservative slab by the two-stream equations (Bohren 1987).
 float ground_visibility(CameraRay ray, float distance_m, float jitter) {
   if (frame.sun_direction.z <= 0.02 || volume_kind() != volume_noise) return 1.0;
-  float g = cloud.medium.w <= 1.0 ? max(cloud.phase.x, 0.0) : 0.0;
+  bool directed = cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie;
+  float g = directed ? max(cloud.phase.x, 0.0) : 0.0;
   vec3 p = ray.origin + ray.direction * distance_m;
   // The clouds that shade it stand where the sun is, not above it.
   vec3 above = p + frame.sun_direction.xyz * (cloud.march.z / max(frame.sun_direction.z, 0.05));
@@ -104,8 +150,7 @@ PassOutput shade(ivec2 march_pixel) {
     return PassOutput(vec4(0.0, 0.0, 0.0, 1.0), vec4(no_hit_m, visibility, 0.0, 0.0));
   // The sun's disc is 20,000 times brighter than a cloud: before it even thin remainders of it can be seen.
   float stop = dot(ray.direction, frame.sun_direction.xyz) > 0.9995 ? 1.0e-6 : 0.003;
-  bool odd = ((march_pixel.x + march_pixel.y + frame.sample_info.x) & 1) == 1;
-  March march = march_ray(ray, path, step_jitter(march_pixel), odd, stop);
+  March march = march_ray(ray, path, step_jitter(march_pixel), stop);
   if (march.weight <= 0.0) return PassOutput(vec4(0.0, 0.0, 0.0, 1.0), vec4(no_hit_m, visibility, 0.0, 0.0));
   float distance_m = march.weighted_distance_m / march.weight;
   Air air = air_to(ray.direction, distance_m, altitude_of(ray.origin + ray.direction * distance_m));

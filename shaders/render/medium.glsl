@@ -5,7 +5,8 @@
 #include "lib/intersect.glsl"
 layout(binding = 0) uniform sampler3D shape_texture;
 layout(binding = 1) uniform sampler3D detail_texture;
-layout(binding = 2) uniform sampler3D variation_texture;
+layout(binding = 2) uniform sampler2D variation_texture;
+layout(binding = 4) uniform sampler3D structure_texture;
 
 const int volume_noise = 0;
 const int volume_sphere = 1;
@@ -21,13 +22,13 @@ float sphere_radius_m() { return 0.5 * (cloud.box_high.x - cloud.box_low.x); }
 const float mean_erosion = 0.5;  // tuned: the mean of `erosion_at`
 
 float erosion_at(vec3 p, float h, bool close) {
-  vec4 noise = texture(detail_texture, p * cloud.detail.x + cloud.detail.yzw);
+  vec4 noise = textureLod(detail_texture, p * cloud.detail.x + cloud.detail.yzw, 0.0);
   // Cracks between billows at the tops, wisps at the base (after Schneider and Vos 2015).
   float erosion = mix(noise.y, 1.0 - noise.x, clamp(h * 5.0, 0.0, 1.0));
   if (!close) return erosion;
   // The same texture again, finer: what the eye wants within a kilometre or two. tuned: the ratio is no whole number, so that
   // the two never line up.
-  float fine = texture(detail_texture, p * (4.7 * cloud.detail.x) + 4.7 * cloud.detail.yzw).x;
+  float fine = textureLod(detail_texture, p * (4.7 * cloud.detail.x) + 4.7 * cloud.detail.yzw, 0.0).x;
   return 0.72 * erosion + 0.28 * (1.0 - fine);
 }
 
@@ -39,28 +40,47 @@ struct Land {
 
 Land land_at(vec3 p) {
   if (cloud.shape.z <= 0.0) return Land(cloud.shape.x, vec2(0.0));
-  vec3 slow = texture(variation_texture, vec3(p.xy * cloud.variation.x + cloud.variation.yz, 0.5)).xyz;
+  vec3 slow = textureLod(variation_texture, p.xy * cloud.variation.x + cloud.variation.yz, 0.0).xyz;
   return Land(cloud.shape.x + cloud.shape.z * (slow.x - 0.5), cloud.shape.w * (slow.yz - 0.5));
 }
 
-// Density 0..1 of a noise volume, sampled every `spacing_m`: what is finer is left out.
-float noise_density(vec3 p, Land land, float spacing_m) {
-  float h = (altitude_of(p) - cloud.layer.x) * cloud.layer.z;
-  if (h <= 0.0 || h >= 1.0) return 0.0;
+float height_in_layer(vec3 p) { return (altitude_of(p) - cloud.layer.x) * cloud.layer.z; }
+
+// Whether the structure encloses a point: whether there can be cloud near it (Olajos 2.4.2). Its padding is wider than half a large
+// step, so that no cloud stands between two points outside that are a large step apart.
+bool inside_structure(vec3 p, Land land) {
   vec2 tile = p.xy * cloud.tile.xy + cloud.tile.zw;
-  if (cloud.box_low.w == 0.0 && (tile.x < 0.0 || tile.x > 1.0 || tile.y < 0.0 || tile.y > 1.0)) return 0.0;
-  vec4 noise = texture(shape_texture, vec3(tile + land.shift, h));
+  float bound = textureLod(structure_texture, vec3(tile + land.shift, clamp(height_in_layer(p), 0.0, 1.0)), 0.0).x;
+  return bound > land.threshold - cloud.structure.y;
+}
+
+// Shape noise above the threshold; not above 0: no cloud. What erosion takes off it comes after.
+float shape_above_threshold(vec3 p, Land land) {
+  float h = height_in_layer(p);
+  vec2 tile = p.xy * cloud.tile.xy + cloud.tile.zw;
+  vec4 noise = textureLod(shape_texture, vec3(tile + land.shift, h), 0.0);
   float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5)) - land.threshold;
+  bool beside = cloud.box_low.w == 0.0 && (tile.x < 0.0 || tile.x > 1.0 || tile.y < 0.0 || tile.y > 1.0);
+  return h <= 0.0 || h >= 1.0 || beside ? -1.0 : value;
+}
+
+// Density 0..1 from `shape_above_threshold` at p, less `erosion` (0..1), where samples lie `spacing_m` apart.
+float density_of(float value, float erosion, float spacing_m) {
   if (value <= 0.0) return 0.0;
-  value -= cloud.erosion.x * (spacing_m < cloud.erosion.y ? erosion_at(p, h, spacing_m < cloud.erosion.z) : mean_erosion);
+  value -= cloud.erosion.x * erosion;
   // tuned: shape noise changes by about this much a metre, so that samples far apart do not fall through thin edges.
   const float shape_per_m = 1.2e-4;
   return clamp(value / (cloud.shape.y + shape_per_m * min(spacing_m, 400.0)), 0.0, 1.0);
 }
 
-float density_at(vec3 p, Land land, float spacing_m) {
-  if (volume_kind() == volume_noise) return noise_density(p, land, spacing_m);
-  if (volume_kind() != volume_gaussian) return 1.0;  // homogeneous inside its interval
+// The erosion that samples `spacing_m` apart can show: what is finer is left out.
+float visible_erosion(vec3 p, float spacing_m) {
+  return spacing_m < cloud.erosion.y ? erosion_at(p, height_in_layer(p), spacing_m < cloud.erosion.z) : mean_erosion;
+}
+
+// Density 0..1 of the volumes that are not noise, inside their interval.
+float analytic_density(vec3 p) {
+  if (volume_kind() != volume_gaussian) return 1.0;
   vec3 d = (p - box_center()) / (0.125 * (cloud.box_high.x - cloud.box_low.x));
   return exp(-0.5 * dot(d, d));
 }

@@ -12,7 +12,9 @@
    medium: extinction (1/m), scattering (1/m), ambient scale, phase kind. phase: g, second g, second weight, light function.
    olajos: attenuation, in-scatter, gain, 0.
    octave_weight_low/high, octave_extinction_low/high, octave_asymmetry_low/high: of octaves 0..3 and 4..7; weight 0: unused.
-   steps: first step (m), growth, greatest number, light steps. march: light distance (m), view distance (m), altitudes between which there is cloud (m). */
+   steps: small step (m), least share of the distance, greatest number, light steps. adaptive: begin (m), growth of the small step for each
+   metre beyond it, random first step?, lighting? structure: large step (m; 0: none), slack of the threshold, 0, 0.
+   olajos_dark, olajos_bright: rgb. march: light distance (m), view distance (m), altitudes between which there is cloud (m). */
 #define CLOUD_FIELDS(F) \
   F(vec4, layer) \
   F(vec4, tile) \
@@ -33,6 +35,10 @@
   F(vec4, octave_asymmetry_low) \
   F(vec4, octave_asymmetry_high) \
   F(vec4, steps) \
-  F(vec4, march)
+  F(vec4, march) \
+  F(vec4, adaptive) \
+  F(vec4, structure) \
+  F(vec4, olajos_dark) \
+  F(vec4, olajos_bright)
 DECLARE_BLOCK(CloudBlock, cloud, 2, CLOUD_FIELDS)
 #endif

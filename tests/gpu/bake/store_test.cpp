@@ -63,7 +63,7 @@ TEST_F(Store, TakesFromTheDiskWhatAnotherBaked) {
   EXPECT_THAT(progress_, testing::IsEmpty());
   EXPECT_EQ(baked->shape().download(), texels.shape);
   EXPECT_EQ(baked->detail().download(), texels.detail);
-  EXPECT_EQ(baked->variation().download(), texels.variation);
+  EXPECT_EQ(baked->texels().variation, texels.variation);
 }
 
 TEST_F(Store, BakesAnewWhatIsDamagedOnDisk) {

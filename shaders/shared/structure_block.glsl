@@ -1,0 +1,11 @@
+// What the shaders that build the structure need (server/bake fills it). Binding 0.
+#ifndef SHARED_STRUCTURE_BLOCK
+#define SHARED_STRUCTURE_BLOCK
+#include "shared/block.glsl"
+
+/* weights: 1 and those of the shape texture's finer channels. size: cells east, north and up; texels a side of the shape texture. */
+#define STRUCTURE_FIELDS(F) \
+  F(vec4, weights) \
+  F(ivec4, size)
+DECLARE_BLOCK(StructureBlock, structure_values, 0, STRUCTURE_FIELDS)
+#endif
