@@ -99,7 +99,7 @@ class Refuses(unittest.TestCase):
 class Help(unittest.TestCase):
     def test_names_units_and_defaults(self):
         text = run("--help").stdout
-        for part in ("--effective-radius-um", "[10]", "um,", "[0.1]", "[1801]", "degrees", "650, 550 and 450 nm"):
+        for part in ("--effective-radius-um", "=10 ", "um,", "=0.1 ", "=1801 ", "degrees", "650, 550 and 450 nm"):
             self.assertIn(part, text)
 
 
