@@ -12,6 +12,7 @@ void add_serve(CLI::App& program, Run& run);
 void add_still(CLI::App& program, Run& run);
 void add_bake(CLI::App& program, Run& run);
 void add_bench(CLI::App& program, Run& run);
+void add_mie(CLI::App& program, Run& run);
 void add_devices(CLI::App& program, Run& run);
 void add_documents(CLI::App& program, Run& run);    // list, schema, reference
 void add_healthcheck(CLI::App& program, Run& run);  // asks a running server

@@ -12,9 +12,9 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   program.get_formatter()->column_width(34);
   cloudscape::app::Run run;
-  for (const auto& add :
-       {cloudscape::app::add_serve, cloudscape::app::add_still, cloudscape::app::add_bake, cloudscape::app::add_bench,
-        cloudscape::app::add_devices, cloudscape::app::add_documents, cloudscape::app::add_healthcheck})
+  for (const auto& add : {cloudscape::app::add_serve, cloudscape::app::add_still, cloudscape::app::add_bake,
+                          cloudscape::app::add_bench, cloudscape::app::add_mie, cloudscape::app::add_devices,
+                          cloudscape::app::add_documents, cloudscape::app::add_healthcheck})
     add(program, run);
   try {
     program.parse(argc, argv);

@@ -1,28 +1,24 @@
-// Bakes on disk: one file a recipe, named by its key, written atomically, checked when read, the least recently used
-// ones removed when there are too many bytes.
+// Bakes on disk: one file a recipe, named by its key.
 #pragma once
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 
 #include "bake/baked_cloudscape.h"
+#include "bake/kept_files.h"
 
 namespace cloudscape::bake {
 
 class BakeCache {
  public:
-  // `folder` is made if it is missing; an empty path keeps nothing. A folder that cannot be written is told once in the
-  // log.
-  BakeCache(std::filesystem::path folder, std::uint64_t limit_bytes);
-  // nullopt if it is not there; a damaged or truncated file is told in the log and removed.
-  std::optional<BakedTexels> load(const BakeRecipe& recipe) const;
-  void store(const BakedTexels& texels) const;  // failure to write is told in the log, no more
+  BakeCache(std::filesystem::path folder, std::uint64_t limit_bytes) : files_(std::move(folder), limit_bytes) {}
+  std::optional<BakedTexels> load(const BakeRecipe& recipe) const;  // nullopt if it is not there
+  void store(const BakedTexels& texels) const;
   std::filesystem::path path_of(const BakeRecipe& recipe) const;
+  const KeptFiles& files() const { return files_; }
 
  private:
-  void evict() const;
-  std::filesystem::path folder_;
-  std::uint64_t limit_bytes_;
+  KeptFiles files_;
 };
 
 }  // namespace cloudscape::bake

@@ -7,7 +7,11 @@
 namespace cloudscape::bake {
 
 BakeStore::BakeStore(gpu::ShaderLibrary& shaders, BakeCache cache, std::uint64_t limit_bytes, Progress progress)
-    : baker_(shaders), cache_(std::move(cache)), limit_bytes_(limit_bytes), progress_(std::move(progress)) {}
+    : baker_(shaders),
+      cache_(std::move(cache)),
+      phases_(PhaseCache(cache_.files())),
+      limit_bytes_(limit_bytes),
+      progress_(std::move(progress)) {}
 BakeStore::~BakeStore() = default;
 
 std::shared_ptr<const BakedCloudscape> BakeStore::find(const BakeRecipe& recipe) {

@@ -8,6 +8,7 @@
 
 #include "bake/baker.h"
 #include "bake/cache.h"
+#include "bake/phase_tables.h"
 
 namespace cloudscape::bake {
 
@@ -28,6 +29,7 @@ class BakeStore {
   // The texels themselves, for export.
   BakedTexels texels(const BakeRecipe& recipe);
   std::size_t bytes() const;
+  PhaseTables& phases() { return phases_; }  // kept in the same folder
 
  private:
   struct Entry {
@@ -37,6 +39,7 @@ class BakeStore {
   std::shared_ptr<const BakedCloudscape> keep(const std::string& key, const BakedTexels& texels);
   Baker baker_;
   BakeCache cache_;
+  PhaseTables phases_;
   std::uint64_t limit_bytes_;
   Progress progress_;
   std::list<Entry> entries_;  // most recently used first

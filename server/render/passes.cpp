@@ -22,14 +22,16 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
   const Binding tables[] = {{8, &sky.transmittance}, {9, &sky.view}, {10, &sky.light}};
-  const Binding textures[] = {{0, &medium.baked.shape()},
-                              {1, &medium.baked.detail()},
-                              {2, &medium.baked.variation()},
-                              {3, &targets.scene_depth},
-                              {4, &medium.structure},
-                              tables[0],
-                              tables[1],
-                              tables[2]};
+  const Binding all_textures[] = {{0, &medium.baked.shape()},
+                                  {1, &medium.baked.detail()},
+                                  {2, &medium.baked.variation()},
+                                  {3, &targets.scene_depth},
+                                  {4, &medium.structure},
+                                  tables[0],
+                                  tables[1],
+                                  tables[2],
+                                  {5, medium.phase}};
+  const auto textures = std::span(all_textures).first(std::size(all_textures) - (medium.phase ? 0 : 1));
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);

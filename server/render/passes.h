@@ -16,6 +16,7 @@ class Passes {
   struct Medium {
     const bake::BakedCloudscape& baked;
     const gpu::Texture& structure;
+    const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
   };
   void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;
   // The whole picture into targets.scratch, averaged with `previous`.

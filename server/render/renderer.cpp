@@ -53,15 +53,7 @@ std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
 
 bool Renderer::advance(RenderJob& job) {
   const auto start = Clock::now();
-  if (!job.baked) {
-    const bake::BakeRecipe recipe = bake::bake_recipe(*job.request.cloudscape);
-    job.baked = bakes_.find(recipe);
-    if (!job.baked) {
-      bakes_.advance(recipe);
-      context_.finish();
-      return false;
-    }
-  }
+  if (!find_baked(job)) return false;
   if (!job.targets) {
     job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
@@ -74,6 +66,26 @@ bool Renderer::advance(RenderJob& job) {
   return done;
 }
 
+// All that is computed before the first frame of a cloudscape; else computes a slice of it.
+bool Renderer::find_baked(RenderJob& job) {
+  const Cloudscape& sky = *job.request.cloudscape;
+  if (!job.baked) {
+    const bake::BakeRecipe recipe = bake::bake_recipe(sky);
+    job.baked = bakes_.find(recipe);
+    if (!job.baked) {
+      bakes_.advance(recipe);
+      context_.finish();
+      return false;
+    }
+  }
+  const Phase& phase = sky.medium.phase;
+  if (job.phase || phase.kind != PhaseKind::mie) return true;
+  const bake::PhaseRecipe recipe{.effective_radius_um = phase.effective_radius_um,
+                                 .effective_variance = phase.effective_variance};
+  job.phase = bakes_.phases().find(recipe, sky.sun.angular_radius_deg);
+  return job.phase != nullptr;
+}
+
 int Renderer::rows_of_next_slice(const RenderJob& job) const {
   const int width = job.targets->march_radiance.width();
   const double pixels = context_.device().software ? slice_ms * pixels_per_ms_
@@ -84,7 +96,8 @@ int Renderer::rows_of_next_slice(const RenderJob& job) const {
 void Renderer::render_rows(RenderJob& job) {
   const auto start = Clock::now();
   const FrameBlock frame = frame_block(job.request, job.sample);
-  const CloudBlock cloud = cloud_block(job.request, *job.baked);
+  CloudBlock cloud = cloud_block(job.request, *job.baked);
+  if (job.phase) cloud.phase.x = static_cast<float>(job.phase->mean_asymmetry_g);
   frame_block_.upload(frame);
   cloud_block_.upload(cloud);
   frame_block_.bind();
@@ -92,7 +105,8 @@ void Renderer::render_rows(RenderJob& job) {
   const SkyTables::Set& sky = sky_.get(frame, cloud);
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
   const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
-  passes_.march(*job.targets, sky, {*job.baked, structure}, job.row, end);
+  const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
+  passes_.march(*job.targets, sky, {*job.baked, structure, phase}, job.row, end);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
   job.row = end;
   if (!context_.device().software) return context_.flush();

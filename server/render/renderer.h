@@ -22,6 +22,7 @@ namespace cloudscape::render {
 struct RenderJob {
   FrameRequest request;
   std::shared_ptr<const bake::BakedCloudscape> baked;
+  std::shared_ptr<const bake::PhaseTexture> phase;  // where the document's phase function is looked up
   std::unique_ptr<Targets> targets;
   int sample = 0, last_sample = 0;  // indices in the average
   int row = 0;                      // of the march target, next to render
@@ -60,6 +61,7 @@ class Renderer {
     int samples = 0;
   };
   History& history_of(const FrameRequest& request);
+  bool find_baked(RenderJob& job);
   void render_rows(RenderJob& job);
   void finish_sample(RenderJob& job);
   int rows_of_next_slice(const RenderJob& job) const;

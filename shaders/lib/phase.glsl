@@ -19,9 +19,17 @@ float phase_cornette_shanks(float cos_theta, float g) {
   return phase_isotropic * 1.5 * (1.0 - g * g) / (2.0 + g * g) * (1.0 + cos_theta * cos_theta) / (d * sqrt(d));
 }
 
-// The document's phase function; kind as core's PhaseKind. `broadening` scales both asymmetries (1: the function itself).
+// Where a scattering angle lies in a phase table, 0..1: sqrt(t) / (1 + sqrt(t)) with t = tan(angle / 2) = chord / far_chord.
+// Between unit vectors: chord is from the direction of the ray to that of the sun, far_chord to the point opposite the sun. Both
+// are exact near their zeros, where the cosine has no digits left.
+float phase_table_coordinate(float chord, float far_chord) {
+  float forward = sqrt(chord);
+  return forward / (forward + sqrt(far_chord));
+}
+
+// The document's phase function, or what broadened orders have in place of the table of mie (4); kind as core's PhaseKind. `broadening` scales both asymmetries (1: the function itself).
 float phase_of_kind(int kind, float cos_theta, float g, float second_g, float second_weight, float broadening) {
-  if (kind == 0) return phase_henyey_greenstein(cos_theta, g * broadening);
+  if (kind == 0 || kind == 4) return phase_henyey_greenstein(cos_theta, g * broadening);
   if (kind == 1) {
     return mix(phase_henyey_greenstein(cos_theta, g * broadening), phase_henyey_greenstein(cos_theta, second_g * broadening),
                second_weight);

@@ -3,7 +3,7 @@
 #define RENDER_CLOUD_LIGHT
 #include "render/medium.glsl"
 #include "render/sky.glsl"
-#include "lib/phase.glsl"
+#include "render/phase_table.glsl"
 #include "lib/transport.glsl"
 
 const int light_single = 0;
@@ -49,8 +49,8 @@ float sun_optical_depth(vec3 p, Land land, float jitter) {
 
 // What stays the same along a view ray: phase values of the sun, by octave, and the colours of the light.
 struct RayLight {
-  float phase;
-  vec4 octaves_low, octaves_high;  // weight times phase
+  vec3 phase;                      // of the first order, by colour
+  vec4 octaves_low, octaves_high;  // of the others: weight times phase
   vec3 sun_bottom, sun_top, sky, ground;
 };
 
@@ -65,8 +65,9 @@ vec4 octave_phases(float cos_theta, vec4 broadening) {
 RayLight ray_light(vec3 direction) {
   RayLight light;
   float cos_theta = dot(direction, frame.sun_direction.xyz);
-  light.phase = octave_phase(cos_theta, 1.0);
-  light.octaves_low = cloud.octave_weight_low * octave_phases(cos_theta, cloud.octave_asymmetry_low);
+  bool table = int(cloud.medium.w) == phase_mie;
+  light.phase = table ? mie_phase(direction, frame.sun_direction.xyz) : vec3(octave_phase(cos_theta, 1.0));
+  light.octaves_low = vec4(0.0, cloud.octave_weight_low.yzw) * octave_phases(cos_theta, cloud.octave_asymmetry_low);
   light.octaves_high = vec4(0.0);
   if (cloud.octave_weight_high.x > 0.0)
     light.octaves_high = cloud.octave_weight_high * octave_phases(cos_theta, cloud.octave_asymmetry_high);
@@ -78,16 +79,17 @@ RayLight ray_light(vec3 direction) {
 }
 
 // Sunlight scattered towards the camera per unit of irradiance, 1/sr.
-float sun_scatter(RayLight light, float optical_depth) {
+vec3 sun_scatter(RayLight light, float optical_depth) {
   int kind = int(cloud.phase.w);
   if (kind == light_single) return light.phase * exp(-optical_depth);
   if (kind == light_olajos) {
     return light.phase * exp(-optical_depth) +
-           cloud.olajos.z * phase_isotropic * olajos_light(optical_depth, cloud.olajos.x, cloud.olajos.y);
+           vec3(cloud.olajos.z * phase_isotropic * olajos_light(optical_depth, cloud.olajos.x, cloud.olajos.y));
   }
-  float sum = dot(light.octaves_low, exp(-optical_depth * cloud.octave_extinction_low));
+  vec4 beams = exp(-optical_depth * cloud.octave_extinction_low);
+  float sum = dot(light.octaves_low, beams);
   if (cloud.octave_weight_high.x > 0.0) sum += dot(light.octaves_high, exp(-optical_depth * cloud.octave_extinction_high));
-  return sum;
+  return light.phase * beams.x + vec3(sum);
 }
 
 // Mean radiance that arrives from sky and ground at height h (0..1) in the medium. tuned: the sky is hidden by the cloud above
@@ -103,7 +105,7 @@ vec3 source_radiance(RayLight light, vec3 p, Land land, float jitter) {
   float h = clamp(height_in_layer(p), 0.0, 1.0);
   vec3 sun = mix(light.sun_bottom, light.sun_top, h);
   // tuned: without lighting all of the cloud is as bright as a white diffuse surface that the sun strikes at 60 degrees.
-  float scatter = 0.5 / pi;
+  vec3 scatter = vec3(0.5 / pi);
   if (lighting()) scatter = sun_scatter(light, sun_optical_depth(p, land, jitter));
   if (int(cloud.phase.w) == light_olajos)
     return cloud.medium.y * sun * (cloud.olajos_dark.xyz / pi + cloud.olajos_bright.xyz * scatter);

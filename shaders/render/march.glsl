@@ -139,7 +139,8 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
 // Beam and diffuse light together: transmittance of a conservative slab by the two-stream equations (Bohren 1987).
 float ground_visibility(CameraRay ray, float distance_m, float jitter) {
   if (frame.sun_direction.z <= 0.02 || volume_kind() != volume_noise) return 1.0;
-  float g = cloud.medium.w <= 1.0 ? max(cloud.phase.x, 0.0) : 0.0;
+  bool directed = cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie;
+  float g = directed ? max(cloud.phase.x, 0.0) : 0.0;
   vec3 p = ray.origin + ray.direction * distance_m;
   // The clouds that shade it stand where the sun is, not above it.
   vec3 above = p + frame.sun_direction.xyz * (cloud.march.z / max(frame.sun_direction.z, 0.05));
