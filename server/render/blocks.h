@@ -11,4 +11,5 @@ namespace cloudscape::render {
 using glm::ivec4, glm::vec4;
 #include "shared/cloud_block.glsl"
 #include "shared/frame_block.glsl"
+#include "shared/terrain_block.glsl"
 }  // namespace cloudscape::render

@@ -15,8 +15,8 @@ Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       composite_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f}),
       tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}) {}
 
-void Passes::march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked, int row_begin,
-                   int row_end) const {
+void Passes::march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked,
+                   std::span<const Binding> land, int row_begin, int row_end) const {
   const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
   const Binding tables[] = {{8, &sky.transmittance}, {9, &sky.view}, {10, &sky.light}};
@@ -27,10 +27,12 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const bake
                               tables[0],
                               tables[1],
                               tables[2]};
+  std::vector<Binding> scene_textures(land.begin(), land.end());
+  scene_textures.insert(scene_textures.end(), std::begin(tables), std::end(tables));
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);
-  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, tables);
+  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
   precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
 }
 

@@ -10,9 +10,10 @@ namespace cloudscape::render {
 class Passes {
  public:
   Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders);
-  // Rows of the march target: the scene behind them, then the clouds. Both blocks must be bound.
-  void march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked, int row_begin,
-             int row_end) const;
+  // Rows of the march target: the scene behind them, then the clouds. `land`: textures of the scene's terrain. The blocks
+  // must be bound.
+  void march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked,
+             std::span<const gpu::Binding> land, int row_begin, int row_end) const;
   // The whole picture into targets.scratch, averaged with `previous`.
   void composite(const Targets& targets, const Accumulation& previous) const;
   void tone_map(const Targets& targets, const Accumulation& accumulation) const;

@@ -25,12 +25,14 @@ bool PendingFrame::ready() const {
   return (!display || display.ready()) && (!radiance || radiance.ready()) && (!depth || depth.ready());
 }
 
-Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes)
+Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes,
+                   std::filesystem::path height_maps)
     : context_(context),
       shaders_(shaders),
       bakes_(bakes),
       passes_(context, shaders),
       sky_(context, shaders),
+      terrain_(context, shaders, std::move(height_maps)),
       frame_block_("frame"),
       cloud_block_("cloud") {}
 
@@ -61,6 +63,10 @@ bool Renderer::advance(RenderJob& job) {
       return false;
     }
   }
+  if (!terrain_.prepare(job.request, job.land)) {
+    context_.finish();
+    return false;
+  }
   if (!job.targets) {
     job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
@@ -90,7 +96,7 @@ void Renderer::render_rows(RenderJob& job) {
   cloud_block_.bind();
   const SkyTables::Set& sky = sky_.get(frame, cloud);
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
-  passes_.march(*job.targets, sky, *job.baked, job.row, end);
+  passes_.march(*job.targets, sky, *job.baked, terrain_.bind(job.request, job.land), job.row, end);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
   job.row = end;
   if (!context_.device().software) return context_.flush();
@@ -173,6 +179,7 @@ std::vector<StreamId> Renderer::remembered() const {
 void Renderer::reload_shaders() {
   passes_.reload(shaders_);
   sky_.reload(shaders_);
+  terrain_.reload(shaders_);
 }
 
 std::size_t Renderer::history_bytes() const {

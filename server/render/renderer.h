@@ -14,6 +14,7 @@
 #include "gpu/context.h"
 #include "gpu/readback.h"
 #include "render/passes.h"
+#include "render/terrain_stage.h"
 
 namespace cloudscape::render {
 
@@ -21,6 +22,7 @@ namespace cloudscape::render {
 struct RenderJob {
   FrameRequest request;
   std::shared_ptr<const bake::BakedCloudscape> baked;
+  Land land;
   std::unique_ptr<Targets> targets;
   int sample = 0, last_sample = 0;  // indices in the average
   int row = 0;                      // of the march target, next to render
@@ -40,7 +42,9 @@ struct PendingFrame {
 
 class Renderer {
  public:
-  Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes);
+  // `height_maps`: the folder of the files that terrains may name; empty: none.
+  Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes,
+           std::filesystem::path height_maps = {});
   std::unique_ptr<RenderJob> begin(const FrameRequest& request);
   bool advance(RenderJob& job);  // renders (or first bakes) the next slice; true when all is rendered
   PendingFrame finish(std::unique_ptr<RenderJob> job);
@@ -68,6 +72,7 @@ class Renderer {
   bake::BakeStore& bakes_;
   Passes passes_;
   SkyTables sky_;
+  TerrainStage terrain_;
   TargetPool pool_;
   gpu::UniformBlock<FrameBlock> frame_block_;
   gpu::UniformBlock<CloudBlock> cloud_block_;
