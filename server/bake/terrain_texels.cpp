@@ -103,17 +103,26 @@ float sky_share(const std::vector<Lattice>& levels, int x, int y, float spacing_
   return sum / 8;
 }
 
+// A coarse level between its points; `shift`: how many times it was halved.
+float interpolated(const Lattice& coarse, int x, int y, int shift) {
+  const int points = 1 << shift, left = x >> shift, bottom = y >> shift;
+  const float u = static_cast<float>(x & (points - 1)) / static_cast<float>(points);
+  const float v = static_cast<float>(y & (points - 1)) / static_cast<float>(points);
+  return std::lerp(std::lerp(coarse.at(left, bottom), coarse.at(left + 1, bottom), u),
+                   std::lerp(coarse.at(left, bottom + 1), coarse.at(left + 1, bottom + 1), u), v);
+}
+
 std::vector<std::uint16_t> surface_of(const std::vector<Lattice>& levels, float spacing_m) {
   const Lattice& heights = levels[0];
-  const Lattice& smooth = levels[std::min<std::size_t>(3, levels.size() - 1)];
-  const int shift = levels[0].side / smooth.side > 1 ? 3 : 0;
+  constexpr int shift = 3;  // a lattice has 64 points a side at least
+  const Lattice& smooth = levels[shift];
   std::vector<std::uint16_t> texels;
   texels.reserve(4 * heights.values.size());
   for (int y = 0; y < heights.side; ++y)
     for (int x = 0; x < heights.side; ++x) {
       const float east = (heights.at(x + 1, y) - heights.at(x - 1, y)) / (2 * spacing_m);
       const float north = (heights.at(x, y + 1) - heights.at(x, y - 1)) / (2 * spacing_m);
-      const float around = smooth.at((x + 4) >> shift, (y + 4) >> shift);
+      const float around = interpolated(smooth, x, y, shift);
       const float stands_out = std::clamp((heights.at(x, y) - around) / (2 * spacing_m), -1.0F, 1.0F);
       for (const float value : {east, north, sky_share(levels, x, y, spacing_m), stands_out})
         texels.push_back(glm::packHalf1x16(std::clamp(value, -1000.0F, 1000.0F)));

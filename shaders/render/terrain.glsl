@@ -21,11 +21,12 @@ bool on_the_map(vec2 p) {
          (all(greaterThanEqual(p, terrain.box.xy)) && all(lessThanEqual(p, terrain.box.zw)));
 }
 
-// The same land, many times smaller: rocks and blocks that the lattice is too coarse for. Their mean slope is 0, so that they
-// fade out as pixels grow wider than they are.
-vec4 small_land(vec2 points, float scale, float width_m) {
-  float level = log2(max(1.0, width_m * terrain.lattice.x * scale));
-  return textureLod(terrain_surface, points * scale / float(terrain.size.x), level);
+// The same land, smaller and turned: rocks and blocks that the lattice is too coarse for. `turn` is a whole number of times as
+// small either way, so that it tiles as the land does. Its mean slope is 0: it fades out as pixels grow wider than it is.
+vec4 small_land(vec2 points, vec2 turn, float width_m) {
+  float level = log2(max(1.0, width_m * terrain.lattice.x * length(turn)));
+  vec2 turned = vec2(turn.x * points.x - turn.y * points.y, turn.y * points.x + turn.x * points.y);
+  return textureLod(terrain_surface, turned / float(terrain.size.x), level);
 }
 
 Site site_at(CameraRay ray, float distance_m) {
@@ -43,11 +44,11 @@ Site site_at(CameraRay ray, float distance_m) {
     // tuned: a pixel on a slope seen at a grazing angle covers more; twice its width is between sharp and still.
     float level = log2(max(1.0, 1.5 * site.width_m * terrain.lattice.x));
     land = textureLod(terrain_surface, site.uv, level);
-    vec4 blocks = small_land(points, 7.0, site.width_m);
-    vec4 stones = small_land(points, 43.0, site.width_m);
+    vec4 blocks = small_land(points, vec2(5.0, 4.0), site.width_m);
+    vec4 stones = small_land(points, vec2(-13.0, 19.0), site.width_m);
     float rough = clamp(1.4 * length(land.xy) - 0.15, 0.08, 0.9);  // tuned: screes and meadows are smoother than walls
-    rocks = rough * (0.45 * blocks.xy + 0.4 * stones.xy);
-    site.grain = blocks.w + 0.7 * stones.w;
+    rocks = rough * (0.3 * blocks.xy + 0.35 * stones.xy);
+    site.grain = 0.7 * (blocks.w + stones.w);
   }
   site.sky = land.z;
   site.stands_out = land.w;

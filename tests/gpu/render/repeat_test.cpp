@@ -185,6 +185,11 @@ TEST_F(Blocks, LieAsTheDriverLaysThem) {
                               {gpu::Format::rgba16f, gpu::Format::rg32f});
   EXPECT_EQ(march.program().block_offsets("FrameBlock"), FrameBlock::offsets());
   EXPECT_EQ(march.program().block_offsets("CloudBlock"), CloudBlock::offsets());
+  const gpu::ScreenPass scene(stack().context, shaders, "render/scene.glsl",
+                              {gpu::Format::rgba16f, gpu::Format::r32f});
+  EXPECT_EQ(scene.program().block_offsets("TerrainBlock"), TerrainBlock::offsets());
+  const gpu::ScreenPass noise(stack().context, shaders, "bake/terrain.glsl", {gpu::Format::r32f});
+  EXPECT_EQ(noise.program().block_offsets("TerrainBakeBlock"), bake::TerrainBakeBlock::offsets());
   const gpu::VolumePass shape(shaders, "bake/shape.comp");
   EXPECT_EQ(shape.program().block_offsets("BakeBlock"), bake::BakeBlock::offsets());
 }
