@@ -47,7 +47,8 @@ class HeightMapFolder {
     for (const std::string& channel : channels) {
       header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
       char* base = reinterpret_cast<char*>(const_cast<float*>(pixels.data()));
-      buffer.insert(channel, Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * static_cast<std::size_t>(width)));
+      buffer.insert(channel,
+                    Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * static_cast<std::size_t>(width)));
     }
     Imf::OutputFile file((path_ / name).c_str(), header);
     file.setFrameBuffer(buffer);
@@ -56,9 +57,8 @@ class HeightMapFolder {
 
  private:
   static inline int count_ = 0;
-  std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() /
-      ("cloudscape-height-maps-" + std::to_string(getpid()) + "-" + std::to_string(count_++));
+  std::filesystem::path path_ = std::filesystem::temp_directory_path() /
+                                ("cloudscape-height-maps-" + std::to_string(getpid()) + "-" + std::to_string(count_++));
 };
 
 }  // namespace cloudscape

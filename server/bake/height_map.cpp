@@ -66,7 +66,8 @@ void check_size(std::int64_t width, std::int64_t height) {
 HeightMap read_height_map(const fs::path& folder, const std::string& name) {
   const std::string what = "the height map '" + name + "' ";
   if (!is_height_map_name(name)) throw Error(what + "is no bare name of a .png or .exr file");
-  if (folder.empty()) throw Error(what + "cannot be read: there is no folder of height maps, name one with --height-map-dir");
+  if (folder.empty())
+    throw Error(what + "cannot be read: there is no folder of height maps, name one with --height-map-dir");
   const fs::path file = folder / name;
   std::error_code error;
   if (!fs::is_regular_file(file, error))

@@ -27,7 +27,7 @@ struct Reader {
       : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &error, fail, warn)), info(png_create_info_struct(png)) {
     if (!info) throw Error("cannot be read: out of memory");
     png_init_io(png, file);
-    png_set_user_limits(png, max_height_map_side, max_height_map_side);
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_size says it better, before rows are read
     png_set_chunk_cache_max(png, 64);
     png_set_chunk_malloc_max(png, 8U << 20);
   }
@@ -53,8 +53,6 @@ bool read_rows(Reader& reader, png_bytepp rows) {
 }
 
 [[noreturn]] void refuse_damaged(const Reader& reader) {
-  if (std::strstr(reader.error.data(), "exceeds user limit"))
-    throw Error("is too large: scale it down to at most " + std::to_string(max_height_map_side) + " pixels a side");
   throw Error(std::string("is damaged or no PNG (") + reader.error.data() + "): write it anew");
 }
 

@@ -31,7 +31,7 @@ class TerrainJob {
   TerrainJob(const gpu::ScreenPass& noise, TerrainRecipe recipe, std::filesystem::path folder);
   // Goes on with the bake, for some milliseconds; true when it is done. Throws what read_height_map throws.
   bool advance();
-  double progress() const;  // 0..1
+  double progress() const;                     // 0..1
   std::shared_ptr<const BakedTerrain> take();  // once advance() said true
 
  private:

@@ -40,7 +40,8 @@ TerrainRecipe terrain_recipe(const Cloudscape& cloudscape, const fs::path& folde
   }
   recipe.seed = seed_of(cloudscape);
   // At least four lattice points to the narrowest ridge that is made.
-  recipe.cells = std::clamp(static_cast<int>(std::lround(terrain.size_m / terrain.feature_m)), 1, terrain.resolution / 16);
+  recipe.cells =
+      std::clamp(static_cast<int>(std::lround(terrain.size_m / terrain.feature_m)), 1, terrain.resolution / 16);
   recipe.octaves = terrain.octaves;
   recipe.roughness = terrain.roughness;
   recipe.erosion = terrain.erosion;

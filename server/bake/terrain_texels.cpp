@@ -94,7 +94,8 @@ float sky_share(const std::vector<Lattice>& levels, int x, int y, float spacing_
     float tangent = 0;
     for (int i = 0; i < 5; ++i) {
       const int level = std::min(level_of[i], static_cast<int>(levels.size()) - 1), far = distance_of[i];
-      const float there = levels[static_cast<std::size_t>(level)].at((x + east * far) >> level, (y + north * far) >> level);
+      const float there =
+          levels[static_cast<std::size_t>(level)].at((x + east * far) >> level, (y + north * far) >> level);
       const float distance_m = static_cast<float>(far) * spacing_m * (east != 0 && north != 0 ? 1.41421356F : 1.0F);
       tangent = std::max(tangent, (there - here) / distance_m);
     }

@@ -63,8 +63,9 @@ struct Ground {
   bool operator==(const Ground&) const = default;
 
   static void fields(auto& self, auto&& visit) {
-    visit("kind", self.kind, Limits{},
-          "none: nothing below. plain: a curved diffuse surface at sea level, radius 6360 km. terrain: mountains on it.");
+    visit(
+        "kind", self.kind, Limits{},
+        "none: nothing below. plain: a curved diffuse surface at sea level, radius 6360 km. terrain: mountains on it.");
     visit("albedo", self.albedo, Limits{0, 1}, "Diffuse reflectance (red, green, blue).");
     visit("variation", self.variation, Limits{0, 1}, "How much the albedo changes from field to field; 0: not at all.");
     visit("terrain", self.terrain, Limits{}, "Heights and cover of a terrain (Olajos 2.4.1).");

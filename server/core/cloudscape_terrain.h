@@ -31,9 +31,10 @@ struct Terrain {
   bool operator==(const Terrain&) const = default;
 
   static void fields(auto& self, auto&& visit) {
-    visit("height_map", self.height_map, Limits{0, 100},
-          "Bare name of a .png (8 or 16 bit grey) or .exr (one float channel) in the folder of height maps, its top row "
-          "north, stretched over the square; empty: heights are made from noise.");
+    visit(
+        "height_map", self.height_map, Limits{0, 100},
+        "Bare name of a .png (8 or 16 bit grey) or .exr (one float channel) in the folder of height maps, its top row "
+        "north, stretched over the square; empty: heights are made from noise.");
     visit("resolution", self.resolution, Limits{64, 4096, true},
           "Points of the height lattice a side; a power of two.");
     visit("size_m", self.size_m, Limits{100, 1e6}, "Edge of the square, m; its period where it tiles.");
@@ -44,10 +45,12 @@ struct Terrain {
           "metres.");
     visit("tiling", self.tiling, Limits{},
           "Whether the map repeats to the horizon; false: it stands alone, its outer tenth going down to the plain.");
-    visit("seed", self.seed, Limits{0, 1e9}, "Added to the document's seed, for other mountains under the same clouds.");
+    visit("seed", self.seed, Limits{0, 1e9},
+          "Added to the document's seed, for other mountains under the same clouds.");
     visit("feature_m", self.feature_m, Limits{100, 1e6},
           "Size of the largest mountains of noise, m; size_m is cut into whole ones.");
-    visit("octaves", self.octaves, Limits{1, 10}, "Octaves of gullies and rocks, each half as large as the one before.");
+    visit("octaves", self.octaves, Limits{1, 10},
+          "Octaves of gullies and rocks, each half as large as the one before.");
     visit("roughness", self.roughness, Limits{0.2, 0.8}, "How high an octave is beside the one before.");
     visit("erosion", self.erosion, Limits{0, 1}, "How deep water has cut gullies into the slopes of noise.");
     visit("snow_line_m", self.snow_line_m, Limits{-1000, 20000}, "Altitude above which snow lies, m.");

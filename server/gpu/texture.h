@@ -29,8 +29,8 @@ class Texture {
   void upload(std::span<const std::uint8_t> texels);  // all texels, tightly packed, in the texture's own format
   void upload_level(int level, std::span<const std::uint8_t> texels);  // of a 2D texture
   void make_levels();                                                  // from the first, each the mean of four texels
-  std::vector<std::uint8_t> download() const;         // the first level; waits for the device
-  void clear();                                       // to zero
+  std::vector<std::uint8_t> download() const;                          // the first level; waits for the device
+  void clear();                                                        // to zero
   explicit operator bool() const { return id_ != 0; }
   unsigned id() const { return id_; }
   Format format() const { return format_; }

@@ -32,7 +32,8 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const bake
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);
-  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
+  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene,
+                      scene_textures);
   precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
 }
 

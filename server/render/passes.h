@@ -10,8 +10,8 @@ namespace cloudscape::render {
 class Passes {
  public:
   Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders);
-  // Rows of the march target: the scene behind them, then the clouds. `land`: textures of the scene's terrain. The blocks
-  // must be bound.
+  // Rows of the march target: the scene behind them, then the clouds. `land`: textures of the scene's terrain. The
+  // blocks must be bound.
   void march(const Targets& targets, const SkyTables::Set& sky, const bake::BakedCloudscape& baked,
              std::span<const gpu::Binding> land, int row_begin, int row_end) const;
   // The whole picture into targets.scratch, averaged with `previous`.

@@ -36,8 +36,8 @@ bool TerrainStage::prepare(const FrameRequest& request, Land& land) {
 }
 
 bool TerrainStage::cast_shadows(const FrameRequest& request, Land& land) {
-  const std::string key = bake::terrain_key(land.terrain->recipe()) + " " +
-                          std::to_string(request.cloudscape->sun.azimuth_deg);
+  const std::string key =
+      bake::terrain_key(land.terrain->recipe()) + " " + std::to_string(request.cloudscape->sun.azimuth_deg);
   auto found = std::ranges::find(shadows_, key, &Shadows::key);
   if (found == shadows_.end()) {
     if (shadows_.size() >= most_shadows) shadows_.pop_back();

@@ -185,8 +185,7 @@ TEST_F(Blocks, LieAsTheDriverLaysThem) {
                               {gpu::Format::rgba16f, gpu::Format::rg32f});
   EXPECT_EQ(march.program().block_offsets("FrameBlock"), FrameBlock::offsets());
   EXPECT_EQ(march.program().block_offsets("CloudBlock"), CloudBlock::offsets());
-  const gpu::ScreenPass scene(stack().context, shaders, "render/scene.glsl",
-                              {gpu::Format::rgba16f, gpu::Format::r32f});
+  const gpu::ScreenPass scene(stack().context, shaders, "render/scene.glsl", {gpu::Format::rgba16f, gpu::Format::r32f});
   EXPECT_EQ(scene.program().block_offsets("TerrainBlock"), TerrainBlock::offsets());
   const gpu::ScreenPass noise(stack().context, shaders, "bake/terrain.glsl", {gpu::Format::r32f});
   EXPECT_EQ(noise.program().block_offsets("TerrainBakeBlock"), bake::TerrainBakeBlock::offsets());

@@ -97,7 +97,7 @@ TEST_F(HeightMaps, OfAnotherKindAreRefused) {
 
 TEST_F(HeightMaps, ThatAreTooLargeAreRefusedBeforeTheyAreRead) {
   folder.write_png<std::uint8_t>("wide.png", 8193, 1, std::vector<std::uint8_t>(8193), PNG_FORMAT_GRAY);
-  expect_refused("wide.png", "too large", "at most 8192");
+  expect_refused("wide.png", "8193x1", "at most 8192");
   folder.write_exr("wide.exr", 8193, 1, std::vector<float>(8193));
   expect_refused("wide.exr", "8193x1", "at most 8192");
 }
@@ -108,7 +108,7 @@ TEST(Resampling, TurnsTheMapSouthUpAndKeepsItsValues) {
 }
 
 TEST(Resampling, KeepsLevelLandAndTheMean) {
-  EXPECT_EQ(resampled({3, 5, std::vector<float>(15, 0.25F)}, 4), std::vector<float>(16, 0.25F));
+  for (const float value : resampled({3, 5, std::vector<float>(15, 0.25F)}, 4)) EXPECT_FLOAT_EQ(value, 0.25F);
   HeightMap spike{64, 64, std::vector<float>(64 * 64, 0)};
   spike.values[64 * 30 + 33] = 16;
   double sum = 0;

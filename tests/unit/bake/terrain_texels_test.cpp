@@ -52,7 +52,8 @@ TEST(TerrainLevels, BoundEverySurfaceInACell) {
           const float height = point(texels, finer, x, y).first;
           const int shift = level - finer;
           ASSERT_LE(height, point(texels, level, x >> shift, y >> shift).second);
-          ASSERT_LE(height, point(texels, level, (x - 1) >> shift, (y - 1) >> shift).second) << "its corners belong to it";
+          ASSERT_LE(height, point(texels, level, (x - 1) >> shift, (y - 1) >> shift).second)
+              << "its corners belong to it";
         }
   EXPECT_GT(bounded, 10000);
 }
@@ -68,7 +69,8 @@ TEST(TerrainLevels, OfLevelLandAreLevelAndSeeTheWholeSky) {
 TEST(TerrainLevels, KnowSlopesAndPits) {
   std::vector<float> heights(side * side);
   for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) heights[static_cast<std::size_t>(y * side + x)] = 0.01F * static_cast<float>(x) + 0.02F * static_cast<float>(y);
+    for (int x = 0; x < side; ++x)
+      heights[static_cast<std::size_t>(y * side + x)] = 0.01F * static_cast<float>(x) + 0.02F * static_cast<float>(y);
   heights[40 * side + 40] -= 0.5F;
   const TerrainTexels texels = terrain_texels(recipe_of_file(), heights);
   const auto surface = [&](int x, int y, int channel) {
@@ -106,11 +108,12 @@ TEST(TerrainRecipes, DependOnNothingButTheTerrain) {
   Cloudscape b = a;
   b.shape.coverage = 0.9, b.sun.azimuth_deg = 3, b.ground.terrain.snow_line_m = 1, b.ground.terrain.base_m = 5;
   EXPECT_EQ(terrain_key(terrain_recipe(a, {})), terrain_key(terrain_recipe(b, {})));
-  for (void (*change)(Cloudscape&) : {+[](Cloudscape& c) { c.seed = 99; }, +[](Cloudscape& c) { c.ground.terrain.seed = 1; },
-                                      +[](Cloudscape& c) { c.ground.terrain.height_m = 100; },
-                                      +[](Cloudscape& c) { c.ground.terrain.tiling = false; },
-                                      +[](Cloudscape& c) { c.ground.terrain.height_map = "x.png"; },
-                                      +[](Cloudscape& c) { c.ground.terrain.erosion = 0; }}) {
+  for (void (*change)(Cloudscape&) :
+       {+[](Cloudscape& c) { c.seed = 99; }, +[](Cloudscape& c) { c.ground.terrain.seed = 1; },
+        +[](Cloudscape& c) { c.ground.terrain.height_m = 100; },
+        +[](Cloudscape& c) { c.ground.terrain.tiling = false; },
+        +[](Cloudscape& c) { c.ground.terrain.height_map = "x.png"; },
+        +[](Cloudscape& c) { c.ground.terrain.erosion = 0; }}) {
     Cloudscape changed = a;
     change(changed);
     EXPECT_NE(terrain_key(terrain_recipe(a, {})), terrain_key(terrain_recipe(changed, {})));

@@ -208,7 +208,8 @@ TEST(DocumentReader, DamagedTextIsRefusedOrRead) {
 
 TEST(HeightMapNames, AreBareNamesOfPictures) {
   const auto read = [](const std::string& name) {
-    return parse_cloudscape(R"({"ground": {"terrain": {"height_map": ")" + name + "\"}}}", "text").ground.terrain.height_map;
+    return parse_cloudscape(R"({"ground": {"terrain": {"height_map": ")" + name + "\"}}}", "text")
+        .ground.terrain.height_map;
   };
   for (const char* name : {"", "alps.png", "Piz Bernina 16 bit.exr"}) EXPECT_EQ(read(name), name);
   for (const char* name : {"../alps.png", "/alps.png", "maps/alps.png", "..", ".png", ".hidden.png", "alps", "alps.jpg",

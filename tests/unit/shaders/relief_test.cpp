@@ -25,7 +25,8 @@ void expect_slope(const Noise& noise, float tolerance) {
 TEST(ReliefNoise, RepeatsAfterItsCellsAndNotBefore) {
   for (int i = 0; i < 100; ++i) {
     const vec2 p(0.0625F * i, 0.25F * i);
-    EXPECT_NEAR(glsl::relief_noise(p, cells, 3U).x, glsl::relief_noise(p + vec2(cells, -2 * cells), cells, 3U).x, 1e-4F);
+    EXPECT_NEAR(glsl::relief_noise(p, cells, 3U).x, glsl::relief_noise(p + vec2(cells, -2 * cells), cells, 3U).x,
+                1e-4F);
     EXPECT_NEAR(glsl::relief_gullies(p, vec2(1, 0), cells, 3U).x,
                 glsl::relief_gullies(p + vec2(-cells, cells), vec2(1, 0), cells, 3U).x, 1e-3F);
   }
