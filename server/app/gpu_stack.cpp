@@ -34,6 +34,8 @@ void add_gpu_options(CLI::App& command, GpuOptions& options) {
   command.add_option("--cache-limit-mib", options.cache_limit_mib, "What baked textures may take on disk, MiB")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
+  command.add_option("--height-map-dir", options.height_map_dir,
+                     "Folder of the height maps that a terrain may name (default: the document's)");
   command.add_option("--log-level", options.log_level, "debug, info, warn, error or off")->capture_default_str();
 }
 
@@ -51,7 +53,7 @@ GpuStack::GpuStack(const GpuOptions& options, bake::BakeStore::Progress progress
       shaders(options.shader_dir),
       bakes(shaders, bake::BakeCache(cache_folder(options.cache_dir), bytes_of_mib(options.cache_limit_mib)),
             device_bake_bytes, std::move(progress)),
-      renderer(context, shaders, bakes) {}
+      renderer(context, shaders, bakes, options.height_map_dir) {}
 
 bake::BakeStore::Progress progress_on_stderr() {
   const bool terminal = isatty(STDERR_FILENO) != 0;

@@ -19,9 +19,11 @@ struct GpuOptions {
   std::string cache_dir;  // "": the user's cache folder
   double cache_limit_mib = 2048;
   std::string log_level = "warn";
+  std::string height_map_dir;  // "": none
 };
 
-// --egl-device, --require-gpu, --pass-execution, --shader-dir, --cache-dir, --cache-limit-mib, --log-level
+// --egl-device, --require-gpu, --pass-execution, --shader-dir, --cache-dir, --cache-limit-mib, --height-map-dir,
+// --log-level
 void add_gpu_options(CLI::App& command, GpuOptions& options);
 
 std::uint64_t bytes_of_mib(double mib);

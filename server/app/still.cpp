@@ -57,10 +57,19 @@ void write_file(const std::string& path, const EncodedFrame& image) {
   if (!out) throw Error("cannot write " + path + ": is the folder there, and the disk not full?");
 }
 
+// A document's height maps lie beside it unless the user says where.
+GpuOptions gpu_options_of(const StillOptions& options) {
+  GpuOptions gpu = options.gpu;
+  const std::filesystem::path beside = std::filesystem::path(options.cloudscape).parent_path();
+  if (gpu.height_map_dir.empty() && options.cloudscape.ends_with(".json"))
+    gpu.height_map_dir = beside.empty() ? "." : beside.string();
+  return gpu;
+}
+
 int run_still(const StillOptions& options) {
   log::start(options.gpu.log_level);
   const settings::StillRequest request = request_of(options);
-  GpuStack stack(options.gpu, progress_on_stderr());
+  GpuStack stack(gpu_options_of(options), progress_on_stderr());
   const Frame frame = stack.renderer.render(request.frame);
   write_file(options.output, encode::encode(frame, request.encoding));
   log::info("{}: {} samples, {:.0f} ms", options.output, frame.samples, frame.timings.render_ms);

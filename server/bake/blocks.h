@@ -1,4 +1,4 @@
-// The uniform block of the baking shaders as a C++ struct.
+// The uniform blocks of the baking shaders as C++ structs.
 #pragma once
 #include <cstddef>
 #include <glm/mat4x4.hpp>
@@ -11,4 +11,5 @@ namespace cloudscape::bake {
 using glm::ivec4, glm::uvec4, glm::vec4;
 #include "shared/bake_block.glsl"
 #include "shared/structure_block.glsl"
+#include "shared/terrain_bake_block.glsl"
 }  // namespace cloudscape::bake

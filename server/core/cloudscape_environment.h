@@ -1,8 +1,9 @@
-// The sections of a cloudscape around the medium: sun, sky, ground, wind.
+// The sections of a cloudscape around the medium: sun, sky, ground, wind. The terrain has a header of its own.
 #pragma once
 #include <array>
 #include <glm/vec3.hpp>
 
+#include "core/cloudscape_terrain.h"
 #include "core/fields.h"
 
 namespace cloudscape {
@@ -48,23 +49,26 @@ struct Sky {
   }
 };
 
-enum class GroundKind { none, plain };
+enum class GroundKind { none, plain, terrain };
 template <>
 struct EnumNames<GroundKind> {
-  static constexpr std::array<std::string_view, 2> names{"none", "plain"};
+  static constexpr std::array<std::string_view, 3> names{"none", "plain", "terrain"};
 };
 
 struct Ground {
   GroundKind kind = GroundKind::plain;
   glm::dvec3 albedo{0.14, 0.15, 0.09};
   double variation = 0.5;
+  Terrain terrain;
   bool operator==(const Ground&) const = default;
 
   static void fields(auto& self, auto&& visit) {
-    visit("kind", self.kind, Limits{},
-          "none: nothing below. plain: a curved diffuse surface at sea level, radius 6360 km.");
+    visit(
+        "kind", self.kind, Limits{},
+        "none: nothing below. plain: a curved diffuse surface at sea level, radius 6360 km. terrain: mountains on it.");
     visit("albedo", self.albedo, Limits{0, 1}, "Diffuse reflectance (red, green, blue).");
     visit("variation", self.variation, Limits{0, 1}, "How much the albedo changes from field to field; 0: not at all.");
+    visit("terrain", self.terrain, Limits{}, "Heights and cover of a terrain (Olajos 2.4.1).");
   }
 };
 

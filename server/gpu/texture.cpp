@@ -27,7 +27,7 @@ bool fits_the_device(int width, int height, int depth) {
   return width >= 1 && height >= 1 && std::max({width, height, depth}) <= limit;
 }
 
-GLuint make_texture(Format format, int width, int height, int depth, const std::string& label) {
+GLuint make_texture(Format format, int width, int height, int depth, int levels, const std::string& label) {
   const Error refusal("the device cannot make the texture '" + label + "' of " + size_text(width, height, depth) +
                       " texels in " + name_of(format) + ": choose another size");
   if (!fits_the_device(width, height, depth)) throw refusal;
@@ -36,7 +36,7 @@ GLuint make_texture(Format format, int width, int height, int depth, const std::
   glCreateTextures(depth == 0 ? GL_TEXTURE_2D : GL_TEXTURE_3D, 1, &id);
   label_object(GL_TEXTURE, id, label);
   if (depth == 0)
-    glTextureStorage2D(id, 1, row_of(format).internal, width, height);
+    glTextureStorage2D(id, levels, row_of(format).internal, width, height);
   else
     glTextureStorage3D(id, 1, row_of(format).internal, width, height, depth);
   if (glGetError() == GL_NO_ERROR) return id;
@@ -46,15 +46,19 @@ GLuint make_texture(Format format, int width, int height, int depth, const std::
 
 }  // namespace
 
-Texture::Texture(Format format, int width, int height, const std::string& label)
-    : id_(make_texture(format, width, height, 0, label)), format_(format), width_(width), height_(height) {
+Texture::Texture(Format format, int width, int height, const std::string& label, int levels)
+    : id_(make_texture(format, width, height, 0, levels, label)),
+      format_(format),
+      width_(width),
+      height_(height),
+      levels_(levels) {
   sample_with(Filter::nearest, Wrap::clamp);
 }
 
 Texture::Texture(Format format, int width, int height, int depth, const std::string& label)
     : format_(format), width_(width), height_(height), depth_(depth), volume_(true) {
   if (depth < 1) throw Error("the volume '" + label + "' needs a depth of 1 or more, not " + std::to_string(depth));
-  id_ = make_texture(format, width, height, depth, label);
+  id_ = make_texture(format, width, height, depth, 1, label);
   sample_with(Filter::nearest, Wrap::clamp);
 }
 
@@ -68,6 +72,7 @@ Texture& Texture::operator=(Texture&& other) noexcept {
   std::swap(width_, other.width_);
   std::swap(height_, other.height_);
   std::swap(depth_, other.depth_);
+  std::swap(levels_, other.levels_);
   std::swap(volume_, other.volume_);
   return *this;
 }
@@ -76,8 +81,9 @@ void Texture::sample_with(Filter filter, Wrap wrap) { sample_with(filter, wrap, 
 
 void Texture::sample_with(Filter filter, Wrap across, Wrap other_axes) {
   const GLint filtering = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
+  const GLint between_levels = filter == Filter::linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST;
   const auto wrapping = [](Wrap wrap) { return wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; };
-  glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, filtering);
+  glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, levels_ > 1 ? between_levels : filtering);
   glTextureParameteri(id_, GL_TEXTURE_MAG_FILTER, filtering);
   glTextureParameteri(id_, GL_TEXTURE_WRAP_S, wrapping(across));
   for (const GLenum axis : {GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glTextureParameteri(id_, axis, wrapping(other_axes));
@@ -92,6 +98,18 @@ void Texture::upload(std::span<const std::uint8_t> texels) {
   else
     glTextureSubImage2D(id_, 0, 0, 0, width_, height_, row.components, row.type, texels.data());
 }
+
+void Texture::upload_level(int level, std::span<const std::uint8_t> texels) {
+  const int width = std::max(1, width_ >> level), height = std::max(1, height_ >> level);
+  const std::size_t bytes = std::size_t(width) * std::size_t(height) * std::size_t(bytes_per_texel(format_));
+  if (volume_ || level < 0 || level >= levels_ || texels.size() != bytes)
+    throw Error("a texture of " + std::to_string(levels_) + " levels cannot take " + std::to_string(texels.size()) +
+                " bytes in level " + std::to_string(level));
+  const FormatRow& row = row_of(format_);
+  glTextureSubImage2D(id_, level, 0, 0, width, height, row.components, row.type, texels.data());
+}
+
+void Texture::make_levels() { glGenerateTextureMipmap(id_); }
 
 std::vector<std::uint8_t> Texture::download() const {
   std::vector<std::uint8_t> texels(bytes());

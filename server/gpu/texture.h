@@ -18,29 +18,33 @@ enum class Wrap { repeat, clamp };
 class Texture {
  public:
   Texture() = default;
-  Texture(Format format, int width, int height, const std::string& label);             // 2D
+  // 2D. `levels`: of a mip chain, each half the size of the one before.
+  Texture(Format format, int width, int height, const std::string& label, int levels = 1);
   Texture(Format format, int width, int height, int depth, const std::string& label);  // 3D
   ~Texture();
   Texture(Texture&& other) noexcept;
   Texture& operator=(Texture&& other) noexcept;
 
-  void sample_with(Filter filter, Wrap wrap);  // default: nearest, clamp
+  void sample_with(Filter filter, Wrap wrap);  // default: nearest, clamp; linear: between levels as well
   void sample_with(Filter filter, Wrap across, Wrap other_axes);
   void upload(std::span<const std::uint8_t> texels);  // all texels, tightly packed, in the texture's own format
-  std::vector<std::uint8_t> download() const;         // the same; waits for the device
-  void clear();                                       // to zero
+  void upload_level(int level, std::span<const std::uint8_t> texels);  // of a 2D texture
+  void make_levels();                                                  // from the first, each the mean of four texels
+  std::vector<std::uint8_t> download() const;                          // the first level; waits for the device
+  void clear();                                                        // to zero
   explicit operator bool() const { return id_ != 0; }
   unsigned id() const { return id_; }
   Format format() const { return format_; }
   int width() const { return width_; }
   int height() const { return height_; }
   int depth() const { return depth_; }
-  std::size_t bytes() const;
+  int levels() const { return levels_; }
+  std::size_t bytes() const;  // of the first level
 
  private:
   unsigned id_ = 0;
   Format format_ = Format::rgba8;
-  int width_ = 0, height_ = 0, depth_ = 1;
+  int width_ = 0, height_ = 0, depth_ = 1, levels_ = 1;
   bool volume_ = false;  // 3D, even if one texel deep
 };
 

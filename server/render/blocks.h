@@ -12,4 +12,5 @@ using glm::ivec4, glm::vec4;
 #include "shared/bloom_block.glsl"
 #include "shared/cloud_block.glsl"
 #include "shared/frame_block.glsl"
+#include "shared/terrain_block.glsl"
 }  // namespace cloudscape::render

@@ -68,7 +68,7 @@ FrameBlock frame_block(const FrameRequest& request, int sample) {
   block.sky = xyz_w(sky.sky.radiance, static_cast<double>(sky.sky.kind));
   block.atmosphere = {sky.sky.haze, 0, 0, 0};
   block.ground_albedo = xyz_w(sky.ground.albedo, sky.ground.variation);
-  block.ground = {sky.ground.kind == GroundKind::plain, wrapped(request.pose.position_m.x, ground_period_m),
+  block.ground = {static_cast<int>(sky.ground.kind), wrapped(request.pose.position_m.x, ground_period_m),
                   wrapped(request.pose.position_m.y, ground_period_m), 0};
   block.display = {std::exp2(request.display.exposure_ev), static_cast<int>(request.display.tone_curve),
                    request.display.bloom_strength, request.display.bloom_threshold};

@@ -32,10 +32,13 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
                                   tables[2],
                                   {5, medium.phase}};
   const auto textures = std::span(all_textures).first(std::size(all_textures) - (medium.phase ? 0 : 1));
+  std::vector<Binding> scene_textures(medium.land.begin(), medium.land.end());
+  scene_textures.insert(scene_textures.end(), std::begin(tables), std::end(tables));
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);
-  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, tables);
+  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene,
+                      scene_textures);
   precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
 }
 

@@ -12,10 +12,11 @@ namespace cloudscape::render {
 class Passes {
  public:
   Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders);
-  // Rows of the march target: the scene behind them, then the clouds. Both blocks must be bound.
+  // Rows of the march target: the scene behind them, then the clouds. The blocks must be bound.
   struct Medium {
     const bake::BakedCloudscape& baked;
     const gpu::Texture& structure;
+    std::span<const gpu::Binding> land;   // textures of the scene's terrain
     const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
   };
   void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;

@@ -25,13 +25,15 @@ bool PendingFrame::ready() const {
   return (!display || display.ready()) && (!radiance || radiance.ready()) && (!depth || depth.ready());
 }
 
-Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes)
+Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes,
+                   std::filesystem::path height_maps)
     : context_(context),
       shaders_(shaders),
       bakes_(bakes),
       structures_(shaders),
       passes_(context, shaders),
       sky_(context, shaders),
+      terrain_(context, shaders, std::move(height_maps)),
       frame_block_("frame"),
       cloud_block_("cloud") {}
 
@@ -54,6 +56,10 @@ std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
 bool Renderer::advance(RenderJob& job) {
   const auto start = Clock::now();
   if (!find_baked(job)) return false;
+  if (!terrain_.prepare(job.request, job.land)) {
+    context_.finish();
+    return false;
+  }
   if (!job.targets) {
     job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
@@ -106,7 +112,8 @@ void Renderer::render_rows(RenderJob& job) {
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
   const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
   const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
-  passes_.march(*job.targets, sky, {*job.baked, structure, phase}, job.row, end);
+  const auto land = terrain_.bind(job.request, job.land);
+  passes_.march(*job.targets, sky, {*job.baked, structure, land, phase}, job.row, end);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
   job.row = end;
   if (!context_.device().software) return context_.flush();
@@ -190,6 +197,7 @@ std::vector<StreamId> Renderer::remembered() const {
 void Renderer::reload_shaders() {
   passes_.reload(shaders_);
   sky_.reload(shaders_);
+  terrain_.reload(shaders_);
 }
 
 std::size_t Renderer::history_bytes() const {

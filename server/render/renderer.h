@@ -15,6 +15,7 @@
 #include "gpu/context.h"
 #include "gpu/readback.h"
 #include "render/passes.h"
+#include "render/terrain_stage.h"
 
 namespace cloudscape::render {
 
@@ -23,6 +24,7 @@ struct RenderJob {
   FrameRequest request;
   std::shared_ptr<const bake::BakedCloudscape> baked;
   std::shared_ptr<const bake::PhaseTexture> phase;  // where the document's phase function is looked up
+  Land land;
   std::unique_ptr<Targets> targets;
   int sample = 0, last_sample = 0;  // indices in the average
   int row = 0;                      // of the march target, next to render
@@ -42,7 +44,9 @@ struct PendingFrame {
 
 class Renderer {
  public:
-  Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes);
+  // `height_maps`: the folder of the files that terrains may name; empty: none.
+  Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes,
+           std::filesystem::path height_maps = {});
   std::unique_ptr<RenderJob> begin(const FrameRequest& request);
   bool advance(RenderJob& job);  // renders (or first bakes) the next slice; true when all is rendered
   PendingFrame finish(std::unique_ptr<RenderJob> job);
@@ -72,6 +76,7 @@ class Renderer {
   bake::StructureBuilder structures_;
   Passes passes_;
   SkyTables sky_;
+  TerrainStage terrain_;
   TargetPool pool_;
   gpu::UniformBlock<FrameBlock> frame_block_;
   gpu::UniformBlock<CloudBlock> cloud_block_;

@@ -30,11 +30,18 @@ void check_octaves(const std::string& pointer, double finest_cells, const char* 
                                   "): must be at most " + resolution_key + ", " + number_text(resolution));
 }
 
+// Anyone may send a document: it must not reach a file outside the folder of height maps.
+void check_height_map(const std::string& name, const std::string& pointer) {
+  if (!name.empty() && !is_height_map_name(name))
+    refuse(pointer, name, "the bare name of a .png or .exr file in the folder of height maps, or empty");
+}
+
 nlohmann::ordered_json document_schema() { return schema<Root>("urn:cloudscape:document:1", "Cloudscape document"); }
 
 }  // namespace
 
 void check(const Cloudscape& cloudscape, const std::string& pointer) {
+  check_height_map(cloudscape.ground.terrain.height_map, pointer + "/ground/terrain/height_map");
   if (cloudscape.volume.kind != VolumeKind::noise) return;
   for (std::size_t i = 0; i < cloudscape.noise.channels.size(); ++i) {
     const NoiseChannel& channel = cloudscape.noise.channels[i];

@@ -1,9 +1,10 @@
 // targets: rgba16f r32f
-// The scene without clouds: sky, sun's disc, curved ground. Target 0: radiance, and the share of it that is direct sunlight (so
+// The scene without clouds: sky, sun's disc, curved ground or terrain. Target 0: radiance, and the share of it that is direct sunlight (so
 // that cloud shadows can be taken off later). Target 1: distance along the ray, m; no_hit_m for sky.
 #include "render/camera.glsl"
-#include "render/sky.glsl"
-#include "lib/ground.glsl"
+#include "render/terrain.glsl"
+
+const float ground_terrain = 2.0;
 
 // By the chord: the cosine of a small angle has too few digits in 32 bits.
 vec3 sun_disc(vec3 direction) {
@@ -29,8 +30,12 @@ PassOutput ground(CameraRay ray, float distance_m) {
 PassOutput shade(ivec2 pixel) {
   CameraRay ray = camera_ray(vec2(pixel) + 0.5);
   if (ray.valid == 0.0) return PassOutput(vec4(0.0), vec4(0.0));
+  if (frame.ground.x == ground_terrain) {
+    float distance_m = land_distance_m(ray);
+    if (distance_m < no_hit_m) return PassOutput(terrain_radiance(ray, distance_m), vec4(distance_m));
+  }
   vec2 hit = intersect_altitude(ray.origin, ray.direction, 0.0);
-  if (frame.ground.x > 0.0 && hit.x <= hit.y && hit.y > 0.0) return ground(ray, max(hit.x, 0.0));
+  if (frame.ground.x == 1.0 && hit.x <= hit.y && hit.y > 0.0) return ground(ray, max(hit.x, 0.0));
   vec3 radiance = sky_radiance(ray.direction) + sun_disc(ray.direction);
   return PassOutput(vec4(min(radiance, vec3(frame.accumulation.y)), 0.0), vec4(no_hit_m));
 }

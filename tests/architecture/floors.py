@@ -24,8 +24,8 @@ LIBRARIES = [
     ("libwebsockets", r"libwebsockets", r"\blws_\w+\s*\(|\bLWS_[A-Z]\w*", {"net", "viewer"}),
     ("SDL", r"SDL", r"\bSDL_[A-Z]\w*", {"viewer"}),
     ("TurboJPEG", r"turbojpeg\.h", r"\btj[A-Z]\w*\s*\(", {"encode", "viewer"}),
-    ("libpng", r"png\.h", r"\bpng_\w+\s*\(", {"encode", "viewer"}),
-    ("OpenEXR", r"(OpenEXR/|Imf|Imath)", r"\bOPENEXR_IMF_NAMESPACE\b", {"encode"}),
+    ("libpng", r"png\.h", r"\bpng_\w+\s*\(", {"encode", "bake", "viewer"}),
+    ("OpenEXR", r"(OpenEXR/|Imf|Imath)", r"\bOPENEXR_IMF_NAMESPACE\b", {"encode", "bake"}),
     ("CLI11", r"CLI/", r"\bCLI::", {"app", "viewer"}),
     ("spdlog", r"spdlog/", r"\bspdlog::", {"core"}),
 ]

@@ -5,10 +5,12 @@ Usage: cli_test.py <cloudscape> [unittest options]. Exit codes: 0 done, 1 failed
 import os
 import pathlib
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 PROGRAM = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "cloudscape").resolve()
 MAGIC = {"png": b"\x89PNG\r\n\x1a\n", "jpg": b"\xff\xd8\xff", "exr": b"\x76\x2f\x31\x01"}
@@ -126,6 +128,43 @@ class StillRefuses(CliTest):
             result = self.run_program(*arguments)
             self.assertEqual(result.returncode, 2, arguments)
             self.assertNotEqual(result.stderr, "", arguments)
+
+
+def grey_png(width, height, pixel):
+    """An 8 bit grey PNG; pixel(x, y) is its grey."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    rows = b"".join(b"\0" + bytes(pixel(x, y) for x in range(width)) for y in range(height))
+    return (MAGIC["png"] + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+class HeightMaps(CliTest):
+    LAND = ('{"volume": {"kind": "box"}, "medium": {"extinction_per_m": 0}, "ground": {"kind": "terrain", "terrain": '
+            '{"resolution": 64, "size_m": 6400, "height_map": "%s"}}, "view": {"pose": {"position_m": [3200, 3200, 3000], '
+            '"elevation_deg": -60}}}')
+
+    def test_beside_the_document_or_in_the_folder_that_is_named(self):
+        land = self.write("land.json", self.LAND % "hill.png")
+        hill = grey_png(32, 32, lambda x, y: min(255, x * y))
+        (self.folder / "hill.png").write_bytes(hill)
+        self.assert_done(self.still(land, "a.png"))
+        (self.folder / "maps").mkdir()
+        (self.folder / "maps" / "hill.png").write_bytes(grey_png(32, 32, lambda x, y: 0))
+        self.assert_done(self.still(land, "b.png", "--height-map-dir", str(self.folder / "maps")))
+        self.assertNotEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
+    def test_that_are_missing_or_damaged_are_named(self):
+        self.assert_one_sentence(self.still(self.write("land.json", self.LAND % "none.png"), "a.png"), 1, "'none.png'",
+                                 "is not in the folder")
+        self.write("text.png", "no picture")
+        self.assert_one_sentence(self.still(self.write("land.json", self.LAND % "text.png"), "a.png"), 1, "'text.png'",
+                                 "damaged")
+
+    def test_elsewhere_are_refused(self):
+        for name in ("../hill.png", "/etc/hill.png", "hill.jpg"):
+            self.assert_one_sentence(self.still(self.write("land.json", self.LAND % name), "a.png"), 2,
+                                     "/ground/terrain/height_map", name, "bare name")
 
 
 class Bake(CliTest):

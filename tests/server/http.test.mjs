@@ -201,3 +201,17 @@ test('only listed origins get CORS headers, and only they may change things', as
   assert.equal((await change('https://foe.test')).status, 403);
   assert.equal((await change('https://friend.test')).status, 201);
 });
+
+test('height maps: only bare names, and one that cannot be used is told', async () => {
+  const land = height_map => ({ cloudscape: { ground: { kind: 'terrain', terrain: { resolution: 64, height_map } } },
+    image: { width: 16, height: 16, quality: 'draft' } });
+  for (const name of ['../secret.png', '/etc/passwd.png', 'passwd']) {
+    const refused = await described(stills(''), post(land(name)));
+    assert.equal(refused.status, 400, name);
+    assert.equal(refused.json().pointer, '/cloudscape/ground/terrain/height_map');
+  }
+  const missing = await described(stills(''), post(land('none.png')));
+  assert.equal(missing.status, 500);
+  assert.match(missing.json().detail, /'none\.png'.*--height-map-dir/);
+  assert.equal((await described(stills())).status, 200, 'and the server goes on');
+});

@@ -36,6 +36,7 @@ constexpr const char* closed_form =
     "no noise and no step that a device may take otherwise: only rounding, one step here and there";
 
 const View views[] = {
+    {"alpine-morning", "alpine-morning", 24, 0.5, edges},
     {"fair-weather-cumulus", "fair-weather-cumulus", 24, 0.5, edges},
     {"morning-puffs", "morning-puffs", 24, 0.5, edges},
     {"overcast", "overcast", 24, 0.5, edges},

@@ -15,10 +15,10 @@ namespace cloudscape::render {
 
 // Everything that renders, on this thread, from birth to death.
 struct Stack {
-  explicit Stack(gpu::PassExecution execution = gpu::PassExecution::automatic)
+  explicit Stack(gpu::PassExecution execution = gpu::PassExecution::automatic, std::filesystem::path height_maps = {})
       : context({.execution = execution}),
         bakes(shaders, bake::BakeCache({}, 0), std::uint64_t{1} << 30),
-        renderer(context, shaders, bakes) {}
+        renderer(context, shaders, bakes, std::move(height_maps)) {}
   gpu::Context context;
   gpu::ShaderLibrary shaders;
   bake::BakeStore bakes;

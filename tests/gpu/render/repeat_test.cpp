@@ -187,6 +187,10 @@ TEST_F(Blocks, LieAsTheDriverLaysThem) {
   EXPECT_EQ(march.program().block_offsets("CloudBlock"), CloudBlock::offsets());
   const gpu::ScreenPass bloom(stack().context, shaders, "render/bloom_vertical.glsl", {gpu::Format::rgba32f});
   EXPECT_EQ(bloom.program().block_offsets("BloomBlock"), BloomBlock::offsets());
+  const gpu::ScreenPass scene(stack().context, shaders, "render/scene.glsl", {gpu::Format::rgba16f, gpu::Format::r32f});
+  EXPECT_EQ(scene.program().block_offsets("TerrainBlock"), TerrainBlock::offsets());
+  const gpu::ScreenPass noise(stack().context, shaders, "bake/terrain.glsl", {gpu::Format::r32f});
+  EXPECT_EQ(noise.program().block_offsets("TerrainBakeBlock"), bake::TerrainBakeBlock::offsets());
   const gpu::VolumePass shape(shaders, "bake/shape.comp");
   EXPECT_EQ(shape.program().block_offsets("BakeBlock"), bake::BakeBlock::offsets());
 }

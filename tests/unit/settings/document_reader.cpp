@@ -206,5 +206,19 @@ TEST(DocumentReader, DamagedTextIsRefusedOrRead) {
   EXPECT_GT(refused, 1000);
 }
 
+TEST(HeightMapNames, AreBareNamesOfPictures) {
+  const auto read = [](const std::string& name) {
+    return parse_cloudscape(R"({"ground": {"terrain": {"height_map": ")" + name + "\"}}}", "text")
+        .ground.terrain.height_map;
+  };
+  for (const char* name : {"", "alps.png", "Piz Bernina 16 bit.exr"}) EXPECT_EQ(read(name), name);
+  for (const char* name : {"../alps.png", "/alps.png", "maps/alps.png", "..", ".png", ".hidden.png", "alps", "alps.jpg",
+                           "maps\\\\alps.png", "a\\u0000.png", "a\\n.png"}) {
+    const Refusal refused = refusal([&] { read(name); });
+    EXPECT_EQ(refused.pointer, "/ground/terrain/height_map") << name;
+    EXPECT_THAT(refused.sentence, testing::HasSubstr("bare name")) << name;
+  }
+}
+
 }  // namespace
 }  // namespace cloudscape::settings

@@ -27,6 +27,7 @@ int permutation(int index) { return current_permutation.at(static_cast<std::size
 #include "lib/lens.glsl"
 #include "lib/perlin.glsl"
 #include "lib/phase.glsl"
+#include "lib/relief.glsl"
 #include "lib/shape.glsl"
 #include "lib/sky_mapping.glsl"
 #include "lib/transport.glsl"

@@ -1,0 +1,103 @@
+#include "bake/terrain.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+
+#include "bake/height_map.h"
+
+namespace cloudscape::bake {
+namespace {
+
+using gpu::Filter, gpu::Format, gpu::Texture, gpu::Wrap;
+
+// tuned: about 50 ms on two cores, so that a frame rendered in between is not late.
+constexpr int points_per_slice = 1 << 16;
+
+template <class T>
+std::span<const std::uint8_t> bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)};
+}
+
+Texture heights_texture(const TerrainTexels& texels) {
+  const int side = texels.recipe.resolution;
+  Texture texture(Format::rg32f, side, side, "terrain heights", static_cast<int>(texels.heights.size()));
+  texture.sample_with(Filter::nearest, Wrap::repeat);
+  for (std::size_t level = 0; level < texels.heights.size(); ++level)
+    texture.upload_level(static_cast<int>(level), bytes_of(texels.heights[level]));
+  return texture;
+}
+
+Texture surface_texture(const TerrainTexels& texels) {
+  const int side = texels.recipe.resolution;
+  Texture texture(Format::rgba16f, side, side, "terrain surface", static_cast<int>(texels.heights.size()));
+  texture.sample_with(Filter::linear, Wrap::repeat);
+  texture.upload(bytes_of(texels.surface));
+  texture.make_levels();
+  return texture;
+}
+
+TerrainBakeBlock block_of(const TerrainRecipe& recipe) {
+  TerrainBakeBlock block;
+  block.noise = {recipe.cells, recipe.octaves, recipe.resolution, 0};
+  block.shape = {recipe.roughness, recipe.erosion, 0, 0};
+  block.seed = {recipe.seed, 0, 0, 0};
+  return block;
+}
+
+std::vector<float> floats_of(const std::vector<std::uint8_t>& bytes) {
+  std::vector<float> values(bytes.size() / sizeof(float));
+  std::memcpy(values.data(), bytes.data(), bytes.size());
+  return values;
+}
+
+}  // namespace
+
+BakedTerrain::BakedTerrain(const TerrainTexels& texels)
+    : recipe_(texels.recipe),
+      heights_(heights_texture(texels)),
+      surface_(surface_texture(texels)),
+      lowest_m_(texels.lowest_m),
+      highest_m_(texels.highest_m) {}
+
+TerrainJob::TerrainJob(const gpu::ScreenPass& noise, TerrainRecipe recipe, std::filesystem::path folder)
+    : noise_(noise), recipe_(std::move(recipe)), block_("terrain bake") {
+  if (recipe_.height_map.empty()) {
+    heights_ = Texture(Format::r32f, recipe_.resolution, recipe_.resolution, "terrain being baked");
+    block_.upload(block_of(recipe_));
+    return;
+  }
+  next_row_ = recipe_.resolution;
+  texels_ = std::async(std::launch::async, [recipe = recipe_, folder = std::move(folder)] {
+    return terrain_texels(recipe, resampled(read_height_map(folder, recipe.height_map), recipe.resolution));
+  });
+}
+
+void TerrainJob::bake_rows() {
+  const int rows = std::clamp(points_per_slice / recipe_.resolution, 8, recipe_.resolution - next_row_);
+  const Texture* targets[] = {&heights_};
+  block_.bind();
+  noise_.run({0, next_row_, recipe_.resolution, rows}, targets, {});
+  next_row_ += rows;
+  if (next_row_ < recipe_.resolution) return;
+  texels_ = std::async(std::launch::async, terrain_texels, recipe_, floats_of(heights_.download()));
+}
+
+bool TerrainJob::advance() {
+  if (next_row_ < recipe_.resolution) {
+    bake_rows();
+    return false;
+  }
+  constexpr auto patience = std::chrono::milliseconds(10);
+  if (texels_.wait_for(patience) != std::future_status::ready) return false;
+  baked_ = std::make_shared<const BakedTerrain>(texels_.get());
+  return true;
+}
+
+double TerrainJob::progress() const {
+  return baked_ ? 1.0 : 0.8 * next_row_ / recipe_.resolution;  // tuned: the levels take about a fifth
+}
+
+std::shared_ptr<const BakedTerrain> TerrainJob::take() { return std::move(baked_); }
+
+}  // namespace cloudscape::bake
