@@ -129,4 +129,8 @@ StillLimits still_limits(const ServerSettings& settings) {
   return {settings.max_still_side_px, settings.max_still_megapixels, settings.max_still_gigasteps};
 }
 
+SequenceLimits sequence_limits(const ServerSettings& settings) {
+  return {still_limits(settings), settings.max_job_frames, settings.max_job_gigasteps};
+}
+
 }  // namespace cloudscape::settings
