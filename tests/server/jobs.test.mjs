@@ -5,6 +5,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, 
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import Ajv from 'ajv/dist/2020.js';
 
 import { sleep, start, until } from './program.mjs';
 import { Viewer } from './viewer.mjs';
@@ -90,6 +91,28 @@ test('a job goes from its order to its result', async () => {
   assert.equal((await server.fetch(link(job))).status, 404);
   assert.equal((await server.fetch(done.result)).status, 404);
   await until(() => files().length === 0, 'the file is removed');
+});
+
+test('the OpenAPI document describes orders and jobs', async () => {
+  const openapi = await server.json('/api/v1/openapi.json');
+  const ajv = new Ajv({ strict: false, validateFormats: false });
+  ajv.addSchema({ $id: 'openapi', ...openapi });
+  const check = (name, value) => {
+    const validate = ajv.compile({ $ref: `openapi#/components/schemas/${name}` });
+    return validate(value) || assert.fail(JSON.stringify(validate.errors));
+  };
+  check('SequenceRequest', body);
+  check('SequenceRequest', { ...body, path: 'fly-around', camera: { lens: { kind: 'fisheye' } }, container: 'avi' });
+  assert.throws(() => check('SequenceRequest', { ...body, camera: { azimuth_deg: 3 } }));
+  assert.throws(() => check('SequenceRequest', { cloudscape: 'overcast' }));
+  const job = await ordered();
+  check('Job', job);
+  check('Job', await ended(job));
+  for (const [path, method, statuses] of [['/api/v1/sequences', 'post', [202, 400, 404, 415, 422, 429, 503]],
+    ['/api/v1/jobs/{id}', 'get', [200, 404]], ['/api/v1/jobs/{id}', 'delete', [204, 404]],
+    ['/api/v1/jobs/{id}/result', 'get', [200, 206, 304, 404, 409, 416]]])
+    for (const status of statuses) assert.ok(openapi.paths[path][method].responses[status], `${method} ${path} ${status}`);
+  await remove(job);
 });
 
 test('an AVI is the JPEG frames in a RIFF', async () => {
