@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct TrackOptions {
   GpuOptions gpu;
-  std::string cloudscape = "config/stills/thesis.json", path = "test-track", size = "1280x720", variants = "all";
+  std::string cloudscape = "thesis", path = "test-track", size = "1280x720", variants = "all";
   std::string output, plots;
   int frames = 200;
 };

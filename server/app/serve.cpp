@@ -8,8 +8,10 @@
 
 #include "app/commands.h"
 #include "app/embedded_page.h"
+#include "app/encode_pool.h"
 #include "app/render_loop.h"
 #include "core/log.h"
+#include "encode/containers.h"
 #include "net/server.h"
 #include "settings/server_settings.h"
 
@@ -89,7 +91,13 @@ int run_serve(const ServeOptions& options) {
   Metrics metrics;
   settings::CloudscapeLibrary library(settings.cloudscapes_dir);
   stream::FrameScheduler scheduler({settings.target_frame_ms, static_cast<std::size_t>(settings.still_queue)}, metrics);
-  net::Server server({settings, scheduler, library, metrics, embedded_page});
+  EncodePool disk(1);
+  net::Server server({settings,
+                      scheduler,
+                      library,
+                      metrics,
+                      embedded_page,
+                      {[&disk](auto task) { disk.run(std::move(task)); }, encode::open_container}});
   const auto on_ready = [&server] {
     std::printf("ready: %s\n", server.ready_link().c_str());
     std::fflush(stdout);

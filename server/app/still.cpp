@@ -1,9 +1,8 @@
-// `cloudscape still`: one picture into a file.
+// `cloudscape still`: one picture into a file, or, along a path, one a frame (sequence.cpp).
 #include <algorithm>
-#include <fstream>
 
 #include "app/commands.h"
-#include "app/gpu_stack.h"
+#include "app/still_options.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "encode/encode.h"
@@ -16,12 +15,6 @@ namespace {
 // The command line trusts its user further than the server trusts a stranger.
 constexpr settings::StillLimits limits{
     .max_side_px = 16384, .max_megapixels = 134.3, .max_gigasteps = 1e6, .max_bake_mib = 1e6};
-
-struct StillOptions {
-  GpuOptions gpu;
-  std::string cloudscape, output;
-  std::map<std::string, std::string> parameters;
-};
 
 std::string flag_of(std::string name) {
   std::replace(name.begin(), name.end(), '_', '-');
@@ -36,7 +29,44 @@ std::string format_of(const std::string& path) {
   throw InvalidInput("--output", "is '" + path + "': its name must end in .jpg, .png or .exr");
 }
 
-settings::StillRequest request_of(const StillOptions& options) {
+// A document's height maps lie beside it unless the user says where.
+GpuOptions gpu_options_of(const StillOptions& options) {
+  GpuOptions gpu = options.gpu;
+  const std::filesystem::path beside = std::filesystem::path(options.cloudscape).parent_path();
+  if (gpu.height_map_dir.empty() && options.cloudscape.ends_with(".json"))
+    gpu.height_map_dir = beside.empty() ? "." : beside.string();
+  return gpu;
+}
+
+int run_still(const StillOptions& options) {
+  log::start(options.gpu.log_level);
+  if (!options.path.empty()) return run_sequence(options);
+  if (!options.frames.empty() || options.resume)
+    throw InvalidInput(options.resume ? "--resume" : "--frames", "is for sequences: name a --path too");
+  const settings::StillRequest request = still_request(options);
+  settings::check_writable(options.output);
+  GpuStack stack(gpu_options_of(options), progress_on_stderr());
+  const Frame frame = stack.renderer.render(request.frame);
+  settings::write_whole_file(options.output, encode::encode(frame, request.encoding).bytes);
+  log::info("{}: {} samples, {:.0f} ms", options.output, frame.samples, frame.timings.render_ms);
+  return 0;
+}
+
+void add_sequence_options(CLI::App& command, StillOptions& options) {
+  command.add_option("--path", options.path,
+                     "Camera path to render a sequence along: a name of config/paths, or a file; it gives pose, field "
+                     "of view and time");
+  command.add_option("--frames", options.frames,
+                     "FIRST-LAST frame of the sequence; frame n is the path at n / frames-per-second [the whole path]");
+  command.add_option("--frames-per-second", options.frames_per_second, "Frames for a second of the path's time")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 1000.0));
+  command.add_flag("--resume", options.resume, "Keep the frames whose files are there and whole");
+}
+
+}  // namespace
+
+settings::StillRequest still_request(const StillOptions& options) {
   settings::CloudscapeLibrary library{{}};
   std::string name = options.cloudscape;
   if (name.find('/') != std::string::npos || name.ends_with(".json")) {
@@ -49,40 +79,14 @@ settings::StillRequest request_of(const StillOptions& options) {
   return settings::still_from_parameters(parameters, library, limits);
 }
 
-void write_file(const std::string& path, const EncodedFrame& image) {
-  std::ofstream out(path, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(image.bytes.data()) + image.front,
-            static_cast<std::streamsize>(image.bytes.size() - image.front));
-  out.close();
-  if (!out) throw Error("cannot write " + path + ": is the folder there, and the disk not full?");
-}
-
-// A document's height maps lie beside it unless the user says where.
-GpuOptions gpu_options_of(const StillOptions& options) {
-  GpuOptions gpu = options.gpu;
-  const std::filesystem::path beside = std::filesystem::path(options.cloudscape).parent_path();
-  if (gpu.height_map_dir.empty() && options.cloudscape.ends_with(".json"))
-    gpu.height_map_dir = beside.empty() ? "." : beside.string();
-  return gpu;
-}
-
-int run_still(const StillOptions& options) {
-  log::start(options.gpu.log_level);
-  const settings::StillRequest request = request_of(options);
-  GpuStack stack(gpu_options_of(options), progress_on_stderr());
-  const Frame frame = stack.renderer.render(request.frame);
-  write_file(options.output, encode::encode(frame, request.encoding));
-  log::info("{}: {} samples, {:.0f} ms", options.output, frame.samples, frame.timings.render_ms);
-  return 0;
-}
-
-}  // namespace
-
 void add_still(CLI::App& program, Run& run) {
   auto options = std::make_shared<StillOptions>();
-  CLI::App* command = program.add_subcommand("still", "Render one picture into a file");
+  CLI::App* command = program.add_subcommand("still", "Render one picture, or a sequence, into files");
   command->add_option("cloudscape", options->cloudscape, "Name of a cloudscape, or a document's path")->required();
-  command->add_option("-o,--output", options->output, "File to write: .jpg, .png or .exr")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "File to write: .jpg, .png or .exr; with --path one a frame, # for its digits: frame_####.png")
+      ->required();
   for (const settings::ParameterInfo& parameter : settings::still_parameters(limits)) {
     if (parameter.name == "cloudscape" || parameter.name == "format") continue;
     const std::string about = parameter.description + " [" + parameter.default_text + "]";
@@ -90,6 +94,7 @@ void add_still(CLI::App& program, Run& run) {
         flag_of(parameter.name),
         [options, name = parameter.name](const std::string& value) { options->parameters[name] = value; }, about);
   }
+  add_sequence_options(*command, *options);
   add_gpu_options(*command, options->gpu);
   command->callback([options, &run] { run = [options] { return run_still(*options); }; });
 }

@@ -51,14 +51,6 @@ std::string read_token_file(const std::string& path) {
   return checked_token(without_white_space(content.str()), "token_file \"" + path + "\"");
 }
 
-std::string make_token() {
-  unsigned char bytes[16];
-  if (RAND_bytes(bytes, sizeof bytes) != 1) throw Error("This machine gives no random numbers to make a token from.");
-  std::string text;
-  for (const unsigned char byte : bytes) text += "0123456789abcdef"[byte >> 4], text += "0123456789abcdef"[byte & 15];
-  return text;
-}
-
 // "host" of "host:port", "[v6]:port".
 std::string_view without_port(std::string_view host) {
   if (host.starts_with('[')) return host.substr(0, host.find(']') + 1);
@@ -77,7 +69,7 @@ Token choose_token(const settings::ServerSettings& settings, const Endpoint& end
   if (const char* given = std::getenv("CLOUDSCAPE_TOKEN"); given && *given)
     return {checked_token(given, "CLOUDSCAPE_TOKEN"), false};
   if (endpoint.loopback || settings.insecure) return {};
-  return {make_token(), true};
+  return {random_hex(), true};
 }
 
 Authorization::Authorization(Token token, bool loopback, std::vector<std::string> allowed_origins)
@@ -112,6 +104,14 @@ bool Authorization::accepts_host(std::string_view host) const {
     if (equal_without_case(without_port(host), name)) return true;
   return std::ranges::any_of(allowed_origins_,
                              [&](const auto& listed) { return equal_without_case(without_scheme(listed), host); });
+}
+
+std::string random_hex() {
+  unsigned char bytes[16];
+  if (RAND_bytes(bytes, sizeof bytes) != 1) throw Error("This machine gives no random numbers.");
+  std::string text;
+  for (const unsigned char byte : bytes) text += "0123456789abcdef"[byte >> 4], text += "0123456789abcdef"[byte & 15];
+  return text;
 }
 
 bool equal_in_constant_time(std::string_view a, std::string_view b) {

@@ -39,6 +39,7 @@ class Authorization {
   std::vector<std::string> allowed_origins_;
 };
 
+std::string random_hex();  // 128 bits of the operating system's, as 32 digits
 bool equal_in_constant_time(std::string_view a, std::string_view b);  // the lengths may be told
 
 }  // namespace cloudscape::net

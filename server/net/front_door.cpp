@@ -41,10 +41,10 @@ Response finished(const Site& site, const Router& router, const Request& request
   response.with("date", http_date(std::time(nullptr)));
   if (!site.authorization.lists_origin(request.origin)) return response;
   response.with("access-control-allow-origin", request.origin).with("vary", "origin");
-  response.with("access-control-expose-headers", "etag, retry-after");
+  response.with("access-control-expose-headers", "etag, retry-after, location, content-range");
   if (request.method == Method::options && route)
     response.with("access-control-allow-methods", route->allow())
-        .with("access-control-allow-headers", "authorization, content-type, if-none-match")
+        .with("access-control-allow-headers", "authorization, content-type, if-none-match, range, if-range")
         .with("access-control-max-age", "600");
   return response;
 }

@@ -19,7 +19,7 @@ struct Request {
   std::string version;         // "HTTP/1.1"; empty: the request line had none
   std::string client;          // address of the peer
   // Headers; a repeated one is joined by ','; empty where absent.
-  std::string host, origin, authorization, if_none_match, connection, expect;
+  std::string host, origin, authorization, if_none_match, range, if_range, connection, expect;
   std::string content_type, content_length, transfer_encoding;
   std::string subprotocols, websocket_version, websocket_key;
   std::string body;

@@ -51,6 +51,8 @@ void copy_headers(lws* wsi, Request& request) {
   request.origin = header(wsi, WSI_TOKEN_ORIGIN);
   request.authorization = header(wsi, WSI_TOKEN_HTTP_AUTHORIZATION);
   request.if_none_match = header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH);
+  request.range = header(wsi, WSI_TOKEN_HTTP_RANGE);
+  request.if_range = header(wsi, WSI_TOKEN_HTTP_IF_RANGE);
   request.connection = header(wsi, WSI_TOKEN_CONNECTION);
   request.expect = header(wsi, WSI_TOKEN_HTTP_EXPECT);
   request.content_type = header(wsi, WSI_TOKEN_HTTP_CONTENT_TYPE);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "net/jobs.h"
 #include "net/server.h"
 
 namespace cloudscape::net {
@@ -23,9 +24,9 @@ struct RenderFailed {
   StreamId stream_or_still = 0;
   std::string message;
 };
-using Mail = std::variant<RendererInfo, FrameArrived, StillArrived, RenderFailed>;
+using Mail = std::variant<RendererInfo, FrameArrived, StillArrived, RenderFailed, JobNews>;
 
-// Thread-safe. Bounded by what the scheduler lets out: a few frames a stream and its queue of stills.
+// Thread-safe. Bounded by what the scheduler lets out: a few frames a stream and a job, and its queue of stills.
 class Mailbox {
  public:
   void put(Mail mail) {

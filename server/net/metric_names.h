@@ -14,6 +14,8 @@ constexpr auto frames_dropped = "cloudscape_stream_frames_replaced_total";  // b
 constexpr auto stills_sent = "cloudscape_stills_sent_total";                // rendered or from the cache
 constexpr auto still_cache_hits = "cloudscape_still_cache_hits_total";      // stills that were not rendered again
 constexpr auto still_cache_bytes = "cloudscape_still_cache_bytes";          // that the cache holds now
+constexpr auto job_frames = "cloudscape_job_frames_total";                  // rendered and written for jobs
+constexpr auto job_result_bytes = "cloudscape_job_result_bytes";            // on disk now
 constexpr auto bytes_sent = "cloudscape_sent_bytes_total";                  // HTTP and stream payload
 
 // Requests by route pattern and class of status ("2xx").
@@ -21,7 +23,13 @@ inline std::string http_requests(std::string_view route, int status) {
   return "cloudscape_http_requests_total{route=\"" + std::string(route) + "\",status=\"" +
          std::to_string(status / 100) + "xx\"}";
 }
-// What was refused, by reason: connections, streams, token, origin, host, rate, queue, flood, message_size, hello.
+// Jobs now, and all that ended, by state: queued, rendering, done, failed, cancelled.
+inline std::string jobs(std::string_view state) { return "cloudscape_jobs{state=\"" + std::string(state) + "\"}"; }
+inline std::string jobs_ended(std::string_view state) {
+  return "cloudscape_jobs_ended_total{state=\"" + std::string(state) + "\"}";
+}
+// What was refused, by reason: connections, streams, token, origin, host, rate, queue, jobs, flood, message_size,
+// hello.
 inline std::string refused(std::string_view reason) {
   return "cloudscape_refused_total{reason=\"" + std::string(reason) + "\"}";
 }

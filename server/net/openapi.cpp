@@ -1,8 +1,7 @@
 #include "net/openapi.h"
 
-#include <nlohmann/json.hpp>
-
 #include "core/version.h"
+#include "net/openapi_parts.h"
 #include "settings/cloudscape_json.h"
 #include "settings/described_schema.h"
 #include "settings/still_body.h"
@@ -11,28 +10,7 @@
 namespace cloudscape::net {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json reference(const std::string& name) { return {{"$ref", "#/components/schemas/" + name}}; }
-
-Json content(const std::string& type, const Json& schema) { return {{type, {{"schema", schema}}}}; }
-
-Json answer(const std::string& description, const Json& content = nullptr) {
-  Json json{{"description", description}};
-  if (!content.is_null()) json["content"] = content;
-  return json;
-}
-
-// Adds the refusals to an operation's `answers`: {"404", "No such cloudscape."}, ...
-Json with_problems(Json answers, const std::vector<std::pair<std::string, std::string>>& problems) {
-  for (const auto& [status, description] : problems)
-    answers[status] = answer(description, content("application/problem+json", reference("Problem")));
-  return answers;
-}
-
-Json operation(const std::string& id, const std::string& summary, const Json& answers) {
-  return {{"operationId", id}, {"summary", summary}, {"responses", answers}};
-}
+using namespace openapi;
 
 Json open(Json operation) {
   operation["security"] = Json::array();
@@ -85,16 +63,7 @@ Json still_answers() {
                                             {"503", "Starting, stopping, queue full or too slow; see Retry-After."}});
 }
 
-const std::vector<std::pair<std::string, std::string>> body_problems{
-    {"411", "No Content-Length."}, {"413", "The body is too large."}, {"415", "The body is not JSON."}};
-
-Json still_body() {
-  Json schema = settings::detail::schema_of(settings::StillBody{});
-  schema["properties"]["cloudscape"] = {{"description", "Name, or a whole document."},
-                                        {"oneOf", {Json{{"type", "string"}}, reference("Cloudscape")}}};
-  schema["required"] = {"cloudscape"};
-  return schema;
-}
+Json still_body() { return with_cloudscape(settings::detail::schema_of(settings::StillBody{}), {"cloudscape"}); }
 
 Json stills(const settings::ServerSettings& settings) {
   Json get = operation("getStill", "One picture, by query.", still_answers());
@@ -176,7 +145,10 @@ Json paths(const settings::ServerSettings& settings) {
            {{"get", text_operation("schema", "JSON Schema of a cloudscape.", "application/schema+json")}}},
           {"/api/v1/cloudscapes", cloudscapes()},
           {"/api/v1/cloudscapes/{name}", cloudscape()},
-          {"/api/v1/stills", stills(settings)}};
+          {"/api/v1/stills", stills(settings)},
+          {"/api/v1/sequences", sequences()},
+          {"/api/v1/jobs/{id}", job()},
+          {"/api/v1/jobs/{id}/result", job_result()}};
 }
 
 Json problem_schema() {
@@ -218,6 +190,8 @@ std::string openapi_document(const settings::ServerSettings& settings) {
                          {{"Problem", problem_schema()},
                           {"Readiness", readiness_schema()},
                           {"StillRequest", still_body()},
+                          {"SequenceRequest", sequence_body()},
+                          {"Job", job_schema()},
                           {"Cloudscape", Json::parse(settings::cloudscape_schema())}}}}}};
   return document.dump(2);
 }

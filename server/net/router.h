@@ -20,7 +20,7 @@ using Answer = std::variant<Response, Pending>;
 using Handler = std::function<Answer(const Request&, const std::string& name)>;
 
 struct Route {
-  std::string pattern;  // "/api/v1/cloudscapes/{name}"; a {part} stands at the end and holds no '/'
+  std::string pattern;  // "/api/v1/cloudscapes/{name}"; a {part}, one at most, holds no '/'
   bool open = false;    // needs no token
   std::vector<std::pair<Method, Handler>> methods;
 

@@ -23,7 +23,10 @@ unsigned whole_seconds(double s) { return static_cast<unsigned>(std::max(1.0, st
 
 struct Server::State {
   explicit State(const Parts& parts);
-  ~State() { close(); }
+  ~State() {
+    site.jobs.close();  // its news need the mailbox
+    close();
+  }
 
   void open();
   void close();
@@ -34,7 +37,8 @@ struct Server::State {
 
   void read(RendererInfo& info) { site.renderer = std::move(info); }
   void read(FrameArrived& mail);
-  void read(StillArrived& mail) { site.stills.deliver(mail.still, std::move(mail.image)); }
+  void read(StillArrived& mail);
+  void read(JobNews& news) { site.jobs.read(news); }
   void read(RenderFailed& mail);
   StreamSession* session(StreamId stream);
 
@@ -54,6 +58,10 @@ Server::State::State(const Parts& parts) : site(parts) {
   connections.on_mail = [this] { read_mail(); };
   site.stills.on_ready([this](std::uint64_t waiter, Response response) {
     if (HttpConnection* connection = connections.waiter(waiter)) connection->on_answer(std::move(response));
+  });
+  site.jobs.on_news([this](JobNews news) {
+    mailbox.put(std::move(news));
+    wake();
   });
   open();
 }
@@ -111,21 +119,39 @@ void Server::State::read(FrameArrived& mail) {
     viewer->offer(mail.work, mail.timings, std::move(mail.frame));
 }
 
-void Server::State::read(RenderFailed& mail) {
-  if (StreamSession* viewer = session(mail.stream_or_still))
-    viewer->fail(mail.message);
+void Server::State::read(StillArrived& mail) {
+  if (site.jobs.owns(mail.still))
+    site.jobs.deliver(mail.still, std::move(mail.image));
   else
-    site.stills.fail(mail.stream_or_still, mail.message);
+    site.stills.deliver(mail.still, std::move(mail.image));
+}
+
+void Server::State::read(RenderFailed& mail) {
+  if (StreamSession* viewer = session(mail.stream_or_still)) return viewer->fail(mail.message);
+  site.stills.fail(mail.stream_or_still, mail.message);
+  site.jobs.fail(mail.stream_or_still, mail.message);
 }
 
 void Server::State::serve() {
+  struct Timer {
+    lws_sorted_usec_list_t list{};
+    State* state = nullptr;
+    static void look(lws_sorted_usec_list_t* list) {
+      auto* timer = reinterpret_cast<Timer*>(list);
+      timer->state->site.jobs.forget_expired();
+      lws_sul_schedule(timer->state->context, 0, &timer->list, look, LWS_USEC_PER_SEC);
+    }
+  } expiry{{}, this};
+  Timer::look(&expiry.list);
   while (!stopping) lws_service(context, 0);
+  lws_sul_cancel(&expiry.list);
 }
 
 // libwebsockets would end the connections without a close frame. So viewers are told first, stills finish, and only
 // then, or when the time is over, the context goes.
 void Server::State::drain() {
   site.draining = true;
+  site.jobs.stop();
   for (StreamSession* viewer : site.sessions) viewer->drain();
   struct Timer {
     lws_sorted_usec_list_t list{};

@@ -1,10 +1,13 @@
 // The network face: HTTP API, web page and streams over libwebsockets, all on the thread that calls run().
 #pragma once
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "core/embedded.h"
 #include "core/frame.h"
+#include "core/frame_container.h"
 #include "core/metrics.h"
 #include "settings/cloudscape_json.h"
 #include "settings/server_settings.h"
@@ -18,6 +21,13 @@ struct RendererInfo {
   bool software = false;
 };
 
+// What writes the results of jobs; without it no job is taken.
+struct JobParts {
+  // Hands a task to a thread that does one after the other.
+  std::function<void(std::function<void()>)> run_on_disk_thread;
+  std::function<std::unique_ptr<FrameContainer>(const std::filesystem::path&, const ContainerLayout&)> open_container;
+};
+
 // The server's parts that live elsewhere; all must outlive it.
 struct Parts {
   settings::ServerSettings settings;
@@ -25,6 +35,7 @@ struct Parts {
   settings::CloudscapeLibrary& cloudscapes;
   Metrics& metrics;
   EmbeddedFiles page;  // index.html and what it loads
+  JobParts jobs = {};
 };
 
 class Server {

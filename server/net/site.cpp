@@ -17,6 +17,7 @@ Site::Site(const Parts& given)
       endpoint(parse_endpoint(given.settings.listen)),
       authorization(choose_token(given.settings, endpoint), endpoint.loopback, given.settings.allowed_origins),
       stills(given.scheduler, given.metrics),
+      jobs(given),
       still_rate(stills_per_s, stills_burst) {}
 
 std::optional<Response> refuse_unready(const Site& site) {

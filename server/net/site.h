@@ -6,6 +6,7 @@
 
 #include "net/authorization.h"
 #include "net/endpoint.h"
+#include "net/jobs.h"
 #include "net/limits.h"
 #include "net/server.h"
 #include "net/still_desk.h"
@@ -21,6 +22,7 @@ struct Site {
   Endpoint endpoint;
   Authorization authorization;
   StillDesk stills;
+  Jobs jobs;
   RateLimit still_rate;
   std::optional<RendererInfo> renderer;  // nullopt: still starting
   bool draining = false;

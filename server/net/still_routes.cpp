@@ -1,7 +1,5 @@
 // /api/v1/stills: one picture, by query or by JSON body.
 #include "core/version.h"
-#include "net/header_list.h"
-#include "net/metric_names.h"
 #include "net/problem.h"
 #include "net/routes.h"
 
@@ -13,22 +11,11 @@ std::string etag_of(const settings::StillRequest& still, const Site& site) {
   return quoted_etag(still.canonical + '\n' + version + '\n' + site.renderer->renderer);
 }
 
-std::optional<Response> refuse_rate(const Request& request, Site& site) {
-  if (site.still_rate.take(request.client, std::chrono::steady_clock::now())) return std::nullopt;
-  site.parts.metrics.count(metric::refused("rate"));
-  return busy(429, "This client asks for stills faster than is served: slow down.", 1);
-}
-
 Answer order(const Request& request, Site& site, const settings::StillRequest& still) {
   const std::string etag = etag_of(still, site);
   if (none_match_holds(request.if_none_match, etag))
     return empty_response(304).with("etag", etag).with("cache-control", "private, no-cache");
   return site.stills.order(request.client, still, etag);
-}
-
-bool is_json(std::string_view content_type) {
-  return content_type.empty() ||
-         equal_without_case(trimmed(content_type.substr(0, content_type.find(';'))), "application/json");
 }
 
 Answer get_still(const Request& request, Site& site) {
@@ -39,7 +26,7 @@ Answer get_still(const Request& request, Site& site) {
 }
 
 Answer post_still(const Request& request, Site& site) {
-  if (!is_json(request.content_type)) return problem(415, "The body must be application/json.");
+  if (!is_json(request)) return problem(415, "The body must be application/json.");
   if (auto refused = refuse_unready(site)) return *refused;
   if (auto refused = refuse_rate(request, site)) return *refused;
   const auto limits = settings::still_limits(site.parts.settings);

@@ -130,4 +130,8 @@ StillLimits still_limits(const ServerSettings& settings) {
           settings.max_bake_mib};
 }
 
+SequenceLimits sequence_limits(const ServerSettings& settings) {
+  return {still_limits(settings), settings.max_job_frames, settings.max_job_gigasteps};
+}
+
 }  // namespace cloudscape::settings

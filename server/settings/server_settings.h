@@ -10,6 +10,7 @@
 
 #include "core/fields.h"
 #include "core/frame.h"
+#include "settings/sequence_request.h"
 #include "settings/still_request.h"
 
 namespace cloudscape::settings {
@@ -37,6 +38,12 @@ struct ServerSettings {
   double max_still_megapixels = 9.0;
   double max_still_gigasteps = 60.0;
   double max_bake_mib = 128.0;  // tuned: a volume of 256^3 in either format, not one of 512^3
+  int max_jobs = 4;
+  int max_job_frames = 1800;
+  double max_job_gigasteps = 4000;
+  double job_results_mib = 1024;
+  double job_kept_s = 3600;
+  std::string jobs_dir;  // "": the system's folder for temporary files
   int max_body_kib = 256;
   double header_timeout_s = 5;
   double body_timeout_s = 5;
@@ -82,6 +89,14 @@ struct ServerSettings {
     visit(
         "max_bake_mib", self.max_bake_mib, Limits{0.1, 1e5},
         "Baked textures of a cloudscape that is rendered or put, MiB; 128: volumes of 256^3 texels, but not of 512^3.");
+    visit("max_jobs", self.max_jobs, Limits{1, 4096}, "Jobs that wait or render; one more gets 503.");
+    visit("max_job_frames", self.max_job_frames, Limits{1, 1e6}, "Frames of a job.");
+    visit("max_job_gigasteps", self.max_job_gigasteps, Limits{0.001, 1e9},
+          "Work of a job: frames * pixels * samples * steps / 1e9.");
+    visit("job_results_mib", self.job_results_mib, Limits{1, 1e7}, "What the results of jobs may take on disk, MiB.");
+    visit("job_kept_s", self.job_kept_s, Limits{1, 1e7}, "Time that a job and its result are kept after its end, s.");
+    visit("jobs_dir", self.jobs_dir, path_lengths,
+          "Folder in which a private one is made for the results of jobs; empty: $TMPDIR or /tmp.");
     visit("max_body_kib", self.max_body_kib, Limits{1, 16384}, "Body of an HTTP request, KiB.");
     visit("header_timeout_s", self.header_timeout_s, timeouts_s, "Time that a client has to send its header, s.");
     visit("body_timeout_s", self.body_timeout_s, timeouts_s, "Time that a client has to send the whole body, s.");
@@ -115,5 +130,6 @@ std::string flag_name(const std::string& setting);         // --max-streams
 std::string environment_name(const std::string& setting);  // CLOUDSCAPE_MAX_STREAMS
 
 StillLimits still_limits(const ServerSettings& settings);
+SequenceLimits sequence_limits(const ServerSettings& settings);
 
 }  // namespace cloudscape::settings

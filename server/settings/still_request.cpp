@@ -7,6 +7,7 @@
 #include "settings/cloudscape_reader.h"
 #include "settings/described_json.h"
 #include "settings/still_body.h"
+#include "settings/still_reader.h"
 
 namespace cloudscape::settings {
 namespace {
@@ -179,7 +180,10 @@ StillRequest still_from_parameters(const Parameters& parameters, const Cloudscap
 }
 
 StillRequest still_from_json(std::string_view text, const CloudscapeLibrary& library, const StillLimits& limits) {
-  json parsed = parse_json(text, "body");
+  return still_from_parsed(parse_json(text, "body"), library, limits);
+}
+
+StillRequest still_from_parsed(json parsed, const CloudscapeLibrary& library, const StillLimits& limits) {
   auto names = field_names<StillBody>();
   names.insert(names.begin(), "cloudscape");
   detail::check_object(parsed, "", names);

@@ -46,6 +46,8 @@ class Descriptor {
   int number_;
 };
 
+fs::path partial_of(const fs::path& file) { return file.parent_path() / ("." + file.filename().string() + ".partial"); }
+
 }  // namespace
 
 std::string read_text_file(const fs::path& file, std::size_t max_bytes) {
@@ -62,7 +64,7 @@ std::string read_text_file(const fs::path& file, std::size_t max_bytes) {
 }
 
 void write_text_file(const fs::path& file, std::string_view text) {
-  const fs::path partial = file.parent_path() / ("." + file.filename().string() + ".partial");
+  const fs::path partial = partial_of(file);
   try {
     Descriptor out(partial, O_WRONLY | O_CREAT | O_TRUNC);
     out.write(text);
@@ -73,6 +75,20 @@ void write_text_file(const fs::path& file, std::string_view text) {
     throw;
   }
   Descriptor(file.has_parent_path() ? file.parent_path() : ".", O_RDONLY | O_DIRECTORY).flush();
+}
+
+void write_whole_file(const fs::path& file, std::span<const std::uint8_t> bytes) {
+  write_text_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+void check_writable(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) throw Error("cannot write " + file.string() + ": it is a folder");
+  const fs::path partial = partial_of(file);
+  const int number = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+  if (number < 0) throw Error("cannot write " + file.string() + ": " + std::strerror(errno));
+  ::close(number);
+  ::unlink(partial.c_str());
 }
 
 }  // namespace cloudscape::settings

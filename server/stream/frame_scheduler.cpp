@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include "stream/background.h"
 #include "stream/milliseconds.h"
 #include "stream/still_queue.h"
 #include "stream/turns.h"
@@ -27,7 +28,11 @@ constexpr std::chrono::minutes longest_wait{10};
 
 struct FrameScheduler::State {
   State(const SchedulerOptions& its_options, Metrics& its_metrics, Clock its_clock)
-      : options(its_options), metrics(its_metrics), clock(std::move(its_clock)), stills(its_options.still_queue) {}
+      : options(its_options),
+        metrics(its_metrics),
+        clock(std::move(its_clock)),
+        stills(its_options.still_queue),
+        background(its_options) {}
 
   const SchedulerOptions options;
   Metrics& metrics;
@@ -36,6 +41,7 @@ struct FrameScheduler::State {
   std::condition_variable changed;
   std::map<StreamId, ViewerStream> streams;
   StillQueue stills;
+  Background background;
   Turns turns;
   bool stopped = false;
 
@@ -65,19 +71,25 @@ struct FrameScheduler::State {
       const ViewerStream* viewer = stream(id);
       return viewer && viewer->ready_at().value_or(Time::max()) <= now;
     };
-    return turns.next(stream_ready, [&](StreamId id) { return stills.ready(id); });
+    const auto watched = turns.next(stream_ready, [&](StreamId id) { return stills.ready(id); });
+    const auto unwatched = background.next(now);
+    return unwatched && (!watched || background.impatient(now)) ? unwatched : watched;
   }
 
   Work serve(StreamId id, Time now) {
+    if (background.frames.contains(id)) return background.take(id, now);
+    background.others_rendered(now);
     ViewerStream* viewer = stream(id);
     turns.served(id, viewer == nullptr);
     if (!viewer) return stills.take(id);
     return viewer->take(now);
   }
 
-  bool yield(const Work& work) {
-    ViewerStream* viewer = stream(work.request.stream);
+  bool yield(const Work& work, Time now) {
     if (stopped) return false;
+    if (background.frames.yield(work.request.stream)) return true;
+    background.others_rendered(now);
+    ViewerStream* viewer = stream(work.request.stream);
     if (work.still) return stills.yield(work.request.stream);
     if (!viewer || !viewer->in_render(work)) return false;
     const bool wanted = viewer->yield(work);
@@ -85,9 +97,9 @@ struct FrameScheduler::State {
     return wanted;
   }
 
-  // When time alone makes a stream ready.
+  // When time alone makes a stream, or the background, ready.
   Time next_due() const {
-    Time due = Time::max();
+    Time due = background.due_at().value_or(Time::max());
     for (const auto& [id, viewer] : streams) due = std::min(due, viewer.ready_at().value_or(due));
     return due;
   }
@@ -95,6 +107,16 @@ struct FrameScheduler::State {
   bool end_still(StreamId id) {
     turns.leave(id);
     return stills.end(id);
+  }
+
+  // What a work that is rendered counts as; "": nobody waits for it any more.
+  std::string end(const Work& work, double render_ms, Time now) {
+    const StreamId id = work.request.stream;
+    if (background.frames.end(id)) return "background";
+    background.others_rendered(now);
+    if (work.still) return end_still(id) ? "still" : "";
+    ViewerStream* viewer = stream(id);
+    return viewer && viewer->rendered(work, render_ms, now) ? "stream" : "";
   }
 
   void count_dropped(const char* reason) {
@@ -168,8 +190,19 @@ std::optional<StreamId> FrameScheduler::submit_still(FrameRequest request, const
   return id;
 }
 
+std::optional<StreamId> FrameScheduler::submit_background(FrameRequest request, const Encoding& encoding) {
+  std::optional<StreamId> id;
+  state_->change([&](State& state, Time now) {
+    if (state.stopped) return;
+    id = new_id();
+    state.background.frames.submit(*id, std::move(request), encoding, now);
+  });
+  return id;
+}
+
 void FrameScheduler::cancel_still(StreamId still) {
   state_->change([&](State& state, Time) {
+    state.background.frames.end(still);
     if (state.end_still(still)) state.metrics.count("cloudscape_stills_cancelled_total");
   });
 }
@@ -193,14 +226,15 @@ std::optional<Work> FrameScheduler::take(Time deadline) {
 
 bool FrameScheduler::yield(const Work& work) {
   bool wanted = false;
-  state_->change([&](State& state, Time) { wanted = state.yield(work); });
+  state_->change([&](State& state, Time now) { wanted = state.yield(work, now); });
   return wanted;
 }
 
 bool FrameScheduler::wanted(const Work& work) const {
   const std::lock_guard lock(state_->mutex);
   if (state_->stopped) return false;
-  if (work.still) return state_->stills.contains(work.request.stream);
+  const StreamId id = work.request.stream;
+  if (work.still) return state_->stills.contains(id) || state_->background.frames.contains(id);
   const ViewerStream* viewer = state_->stream(work.request.stream);
   return viewer && viewer->wanted(work);
 }
@@ -208,12 +242,10 @@ bool FrameScheduler::wanted(const Work& work) const {
 void FrameScheduler::rendered(const Work& work, const FrameTimings& timings) {
   const double render_ms = plausible_ms(timings.render_ms);
   state_->change([&](State& state, Time now) {
-    ViewerStream* viewer = state.stream(work.request.stream);
-    const bool known =
-        work.still ? state.end_still(work.request.stream) : viewer && viewer->rendered(work, render_ms, now);
-    if (!known) return;
-    state.metrics.count(work.still ? "cloudscape_frames_rendered_total{kind=\"still\"}"
-                                   : "cloudscape_frames_rendered_total{kind=\"stream\"}");
+    const std::string kind = state.end(work, render_ms, now);
+    if (kind.empty()) return;
+    state.metrics.count("cloudscape_frames_rendered_total{kind=\"" + kind + "\"}");
+    if (kind == "background") return;
     state.metrics.observe_ms("cloudscape_queue_ms", plausible_ms(timings.queue_ms));
     state.metrics.observe_ms("cloudscape_render_ms", render_ms);
   });
@@ -229,8 +261,10 @@ void FrameScheduler::encoded(const Work& work, std::size_t bytes, double encode_
 
 void FrameScheduler::failed(const Work& work) {
   state_->change([&](State& state, Time) {
-    ViewerStream* viewer = state.stream(work.request.stream);
-    if (work.still ? state.end_still(work.request.stream) : viewer && viewer->failed(work))
+    const StreamId id = work.request.stream;
+    ViewerStream* viewer = state.stream(id);
+    const bool background = state.background.frames.end(id);
+    if (background || (work.still ? state.end_still(id) : viewer && viewer->failed(work)))
       state.count_dropped("failed");
   });
 }

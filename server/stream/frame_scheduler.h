@@ -9,7 +9,11 @@
 // are in it, `quality.samples` are added) until the quality's sample count is reached, each when the one before is
 // acknowledged; a change of the view abandons the one in render.
 //
-// Metrics, counters: cloudscape_frames_rendered_total{kind="stream"|"still"},
+// Background: frames of long jobs. They get the turns that nobody else wants: only when no stream or still was rendered
+// for a moment, since a slice between two frames of a moving stream would cost it a frame, and otherwise a slice now
+// and then, so that a job ends however long somebody flies.
+//
+// Metrics, counters: cloudscape_frames_rendered_total{kind="stream"|"still"|"background"},
 // cloudscape_frames_dropped_total{reason="replaced"|"abandoned"|"failed"} (before the socket took it; in render, for
 // its view changed; by an error), cloudscape_stills_cancelled_total, cloudscape_stills_refused_total. Gauges:
 // cloudscape_streams_open, cloudscape_stills_waiting (in render included), cloudscape_frames_in_flight. Histograms:
@@ -46,6 +50,10 @@ struct SchedulerOptions {
   double target_frame_ms = 50;   // of a moving view: march_divisor adapts to it
   std::size_t still_queue = 16;  // stills that wait or render; one more is refused
   int max_in_flight = 3;         // frames of one stream without acknowledgement, at most
+  // tuned: longer than the pause in which a moving stream waits for its acknowledgement.
+  double background_quiet_ms = 250;
+  // tuned: a slice of 60 ms in two seconds is 3 % of the renderer.
+  double background_patience_ms = 2000;
 };
 
 // One frame to render. `request` is complete: quality, sample count and sequence included. `request.sequence` counts
@@ -53,7 +61,7 @@ struct SchedulerOptions {
 struct Work {
   FrameRequest request;
   Encoding encoding;
-  bool still = false;          // a still: deliver once, whole
+  bool still = false;          // a still, or a frame of the background: deliver once, whole
   std::uint32_t frame_id = 0;  // streams: acknowledged by the viewer
   std::uint64_t pose_sequence = 0;
   std::uint8_t quality_stage = 0;  // 0 moving, 1.. refining, 255 final
@@ -84,8 +92,11 @@ class FrameScheduler {
 
   // Stills. The id names it in `Work::request.stream`; nullopt: the queue is full.
   std::optional<StreamId> submit_still(FrameRequest request, const Encoding& encoding);
-  void cancel_still(StreamId still);
+  void cancel_still(StreamId still);  // or a frame of the background
   std::size_t stills_waiting() const;
+  // A still of the background; whoever submits bounds how many there are. They are begun in the order of submission.
+  // nullopt: stopped.
+  std::optional<StreamId> submit_background(FrameRequest request, const Encoding& encoding);
 
   // Render thread. `take` waits until something can be rendered, or `deadline`, or stop().
   std::optional<Work> take(Time deadline);

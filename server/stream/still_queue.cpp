@@ -34,6 +34,11 @@ bool StillQueue::ready(StreamId id) const {
   return still->second.state == State::yielded || begun < rendering_at_once;
 }
 
+std::optional<StreamId> StillQueue::first_ready() const {
+  const auto found = std::ranges::find_if(stills_, [this](const auto& each) { return ready(each.first); });
+  return found == stills_.end() ? std::nullopt : std::optional(found->first);
+}
+
 const Work& StillQueue::take(StreamId id) {
   Still& still = stills_.at(id);
   still.state = State::rendering;

@@ -16,7 +16,8 @@ class StillQueue {
   bool end(StreamId id) { return stills_.erase(id) > 0; }  // done, failed or cancelled; false: it is unknown
 
   bool contains(StreamId id) const { return stills_.contains(id); }
-  bool ready(StreamId id) const;  // to be taken now
+  bool ready(StreamId id) const;                // to be taken now
+  std::optional<StreamId> first_ready() const;  // by age
   const Work& take(StreamId id);
   bool yield(StreamId id);  // false: it is unknown
 

@@ -26,6 +26,7 @@ LIBRARIES = [
     ("TurboJPEG", r"turbojpeg\.h", r"\btj[A-Z]\w*\s*\(", {"encode", "viewer"}),
     ("libpng", r"png\.h", r"\bpng_\w+\s*\(", {"encode", "bake", "viewer"}),
     ("OpenEXR", r"(OpenEXR/|Imf|Imath)", r"\bOPENEXR_IMF_NAMESPACE\b", {"encode", "bake"}),
+    ("libarchive", r"archive(_entry)?\.h", r"\barchive_\w+\s*\(", {"encode"}),
     ("CLI11", r"CLI/", r"\bCLI::", {"app", "viewer"}),
     ("spdlog", r"spdlog/", r"\bspdlog::", {"core"}),
 ]

@@ -6,9 +6,11 @@ import os
 import pathlib
 import shutil
 import struct
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zlib
 
@@ -118,6 +120,7 @@ class StillRefuses(CliTest):
         self.assert_one_sentence(self.still(self.sky, "a.gif"), 2, "--output", "a.gif", ".png")
         self.assert_one_sentence(self.still(self.sky, "nowhere/a.png"), 1, "nowhere/a.png")
         self.assertEqual(list(self.folder.glob("**/*.gif")), [])
+        self.assertEqual(self.bakes(), [], "it was told before anything was baked")
 
     def test_devices_that_are_not_there(self):
         self.assert_one_sentence(self.still(self.sky, "a.png", "--egl-device", "99"), 2, "99")
@@ -165,6 +168,88 @@ class HeightMaps(CliTest):
         for name in ("../hill.png", "/etc/hill.png", "hill.jpg"):
             self.assert_one_sentence(self.still(self.write("land.json", self.LAND % name), "a.png"), 2,
                                      "/ground/terrain/height_map", name, "bare name")
+
+
+PATH = '{"keys": [{"time_s": 0, "pose": {"azimuth_deg": 0}}, {"time_s": 1, "pose": {"azimuth_deg": 30}, "vertical_fov_deg": 60}]}'
+
+
+class Sequence(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.path = self.write("path.json", PATH)
+
+    def sequence(self, *options, output="frame_###.png", path=None):
+        return self.still(self.sky, output, "--path", path or self.path, "--frames-per-second", "4", *options)
+
+    def files(self, pattern="frame_*"):
+        return {file.name: file.read_bytes() for file in self.folder.glob(pattern)}
+
+    def test_a_file_a_frame_each_as_the_still_at_its_time(self):
+        result = self.sequence("--frames", "2-4", "--time-s", "10")
+        self.assert_done(result)
+        frames = self.files()
+        self.assertEqual(sorted(frames), ["frame_002.png", "frame_003.png", "frame_004.png"])
+        self.assertIn("3 of 3 frames", result.stderr)
+        self.assert_done(self.still(self.sky, "last.png", "--azimuth-deg", "30", "--elevation-deg", "10", "--position",
+                                    "0,0,2", "--vertical-fov-deg", "60", "--time-s", "11"))
+        self.assertEqual((self.folder / "last.png").read_bytes(), frames["frame_004.png"])
+        self.assertNotEqual(frames["frame_002.png"], frames["frame_003.png"])
+
+    def test_the_whole_path_is_the_default_and_every_format_is_written(self):
+        for extension, magic in MAGIC.items():
+            self.assert_done(self.sequence(output=f"f#.{extension}"))
+            files = self.files(f"f*.{extension}")
+            self.assertEqual(len(files), 5, "0 to 1 s at 4 frames a second")
+            for name, content in files.items():
+                self.assertTrue(content.startswith(magic), name)
+        self.assertEqual(list(self.folder.glob(".*")), [], "nothing temporary is left")
+
+    def test_resume_renders_what_is_missing_or_broken_and_nothing_else(self):
+        self.assert_done(self.sequence())
+        whole = self.files()
+        self.write("frame_000.png", "broken")
+        (self.folder / "frame_001.png").unlink()
+        (self.folder / "frame_002.png").write_bytes(whole["frame_002.png"][:-1])
+        kept = (self.folder / "frame_003.png").stat()
+        result = self.sequence("--resume")
+        self.assert_done(result)
+        self.assertIn("2 of 5 frames are there already", result.stderr)
+        self.assertEqual(self.files(), whole)
+        self.assertEqual((self.folder / "frame_003.png").stat().st_ino, kept.st_ino)
+        self.assertIn("5 of 5 frames are there already", self.sequence("--resume").stderr)
+        self.assert_done(self.sequence())
+        self.assertNotEqual((self.folder / "frame_003.png").stat().st_ino, kept.st_ino, "without it all are rendered")
+
+    def test_an_interrupted_run_leaves_whole_files_and_says_how_to_go_on(self):
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("CLOUDSCAPE_")}
+        program = subprocess.Popen(
+            [PROGRAM, "still", self.sky, "-o", "frame_####.png", "--path", self.path, "--frames-per-second", "1000", *SMALL,
+             "--cache-dir", str(self.folder / "cache")], cwd=self.folder, env=environment, stderr=subprocess.PIPE, text=True)
+        end = time.monotonic() + 30
+        while not self.files() and time.monotonic() < end:
+            time.sleep(0.01)
+        program.send_signal(signal.SIGINT)
+        said = program.communicate(timeout=30)[1]
+        self.assertEqual(program.returncode, 130, said)
+        self.assertIn("--resume", said)
+        files = self.files()
+        self.assertLess(len(files), 1001)
+        self.assertIn(f"stopped after {len(files)} of 1001 frames", said)
+        for name, content in files.items():
+            self.assertTrue(content.endswith(b"IEND\xae\x42\x60\x82"), name)
+        self.assertEqual(list(self.folder.glob(".*")), [])
+
+    def test_refuses_in_one_sentence_before_it_renders(self):
+        for options, code, parts in (
+                (("--frames", "3-2"), 2, ("--frames", "3-2")), (("--frames", "all"), 2, ("--frames", "'all'", "0-299")),
+                (("--frames", "0-9"), 2, ("--frames", "0-9", "frame 4")), (("--azimuth-deg", "3"), 2, ("--path", "azimuth"))):
+            self.assert_one_sentence(self.sequence(*options), code, *parts)
+        self.assert_one_sentence(self.sequence(output="frame.png"), 2, "--output", "#")
+        self.assert_one_sentence(self.sequence(output="nowhere/#.png"), 1, "nowhere/0.png")
+        self.assert_one_sentence(self.sequence(path="fly-arund"), 1, "fly-around")
+        self.assert_one_sentence(self.sequence(path="nowhere/path.json"), 1, "nowhere/path.json")
+        self.assert_one_sentence(self.still(self.sky, "a.png", "--resume"), 2, "--resume", "--path")
+        self.assertEqual(self.bakes(), [], "nothing was baked for it")
 
 
 class Bake(CliTest):
