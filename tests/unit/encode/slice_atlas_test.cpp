@@ -139,7 +139,7 @@ TEST(SliceAtlas, HoldsAVolumeOfHalves) {
   buffer.insert("Y", Imf::Slice(Imf::HALF, reinterpret_cast<char*>(pixels.data()), sizeof(half), 6 * sizeof(half)));
   file.setFrameBuffer(buffer);
   file.readPixels(0, 2);
-  EXPECT_EQ(std::next(file.header().channels().begin()), file.header().channels().end());
+  EXPECT_EQ(++file.header().channels().begin(), file.header().channels().end());
   for (std::size_t i = 0; i < 18; ++i) {
     const std::size_t x = i % 3, north = i / 3 % 3, z = i / 9;
     EXPECT_EQ(pixels[(2 - north) * 6 + 3 * z + x].bits(), half(0.37F * static_cast<float>(i) - 1).bits()) << i;
