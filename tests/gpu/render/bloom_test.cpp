@@ -118,8 +118,8 @@ double expected_glow(const std::vector<BrightPixel>& bright, double radius, doub
   return sum;
 }
 
-// Tolerance: 7 % of the peak, for Gaussians of a texel or two on levels that odd sizes have made a little uneven
-// (200x540 has 9 texels across on one of them).
+// Tolerance: 8 % of the peak, for Gaussians of little more than a texel: where in its texel a light stands, and odd
+// sizes, shift that much between neighbours.
 TEST_F(BloomTest, HasTheProfileOfItsGaussiansAtEachSize) {
   for (const ImageSize size : sizes)
     for (const double radius : {0.05, 0.08, 0.15}) {
@@ -136,7 +136,7 @@ TEST_F(BloomTest, HasTheProfileOfItsGaussiansAtEachSize) {
         for (int step = 0; step < size.height / 4 && step * right < size.width / 2; step += 1 + size.height / 180) {
           const int px = size.width / 2 + step * right, py = std::min(size.height - 1, size.height / 2 + step * down);
           const double expected = scale * expected_glow(bright, radius, (px + 0.5) / height, (py + 0.5) / height);
-          ASSERT_NEAR(found.shown(px, py), expected, 0.07 * peak)
+          ASSERT_NEAR(found.shown(px, py), expected, 0.08 * peak)
               << size.width << "x" << size.height << ", radius " << radius << ", pixel " << px << ' ' << py;
         }
     }
@@ -204,7 +204,7 @@ TEST_F(BloomTest, GoesOnAtTheOtherSideOfAPanorama) {
     const double peak = *std::max_element(middle.rgba.begin(), middle.rgba.end());
     for (int j = 0; j < middle.height; ++j)
       for (int i = 0; i < middle.width; ++i)
-        ASSERT_NEAR(wrapped.at((i + middle.width / 2) % middle.width, j), middle.at(i, j), 0.07 * peak)
+        ASSERT_NEAR(wrapped.at((i + middle.width / 2) % middle.width, j), middle.at(i, j), 0.05 * peak)
             << i << ' ' << j;
     EXPECT_EQ(cut.at(cut.width - 1, cut.height / 2), 0) << size.width;
   }
