@@ -90,6 +90,14 @@ TEST_F(Sequences, LimitsHoldForEachFrameAndForAll) {
   EXPECT_EQ(refused<OverLimit>(R"("image": {"width": 5000})", limits).pointer, "/image/width");
   limits.max_gigasteps = 1;
   EXPECT_THAT(refused<OverLimit>("", limits).sentence, HasSubstr("gigasteps"));
+  EXPECT_THAT(refused<OverLimit>("", limits).sentence, HasSubstr("(max_job_gigasteps)"));
+  const auto light = [](int steps) {
+    return R"("frames": {"last": 9}, "image": {"width": 1000, "height": 100, "samples": 1},
+              "march": {"max_steps": 100, "light_steps": )" +
+           std::to_string(steps) + "}";
+  };
+  EXPECT_EQ(read(light(9), limits).frames(), 10) << "10 frames * 0.1 megapixels * 100 * (1 + 9) steps";
+  EXPECT_THROW(read(light(10), limits), OverLimit);
   EXPECT_EQ(read(R"("frames": {"last": 2}, "image": {"width": 64, "height": 36})", limits).frames(), 3);
 }
 
