@@ -9,7 +9,7 @@ namespace cloudscape::app {
 namespace {
 
 void print(const std::string& name, const std::string& description) {
-  std::printf("%-24s %s\n", name.c_str(), description.c_str());
+  std::printf("%-32s %s\n", name.c_str(), description.c_str());
 }
 
 int list(bool stills) {
