@@ -16,7 +16,6 @@
 #include "encode/encode.h"
 #include "encode/whole_image.h"
 #include "settings/frame_pattern.h"
-#include "settings/named_paths.h"
 #include "settings/sequence_request.h"
 #include "settings/text_file.h"
 
@@ -30,7 +29,7 @@ settings::SequenceRequest sequence_request(const StillOptions& options) {
   settings::FrameRange range;
   range.frames_per_second = options.frames_per_second;
   if (!options.frames.empty()) settings::read_frames(options.frames, range);
-  return settings::sequence_of(still_request(options), settings::find_path(options.path), range, "--frames");
+  return settings::sequence_of(still_request(options), settings::find_camera_path(options.path), range, "--frames");
 }
 
 volatile std::sig_atomic_t stop_signal = 0;

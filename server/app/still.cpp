@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "encode/encode.h"
+#include "settings/named_documents.h"
 #include "settings/still_request.h"
 #include "settings/text_file.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 // The command line trusts its user further than the server trusts a stranger.
 constexpr settings::StillLimits limits{
-    .max_side_px = 16384, .max_megapixels = 134.3, .max_gigasteps = 1e6, .max_bake_mib = 1e6};
+    .max_side_px = 16384, .max_megapixels = 134.3, .max_gigasteps = 1e9, .max_bake_mib = 1e6};
 
 std::string flag_of(std::string name) {
   std::replace(name.begin(), name.end(), '_', '-');
@@ -32,10 +33,19 @@ std::string format_of(const std::string& path) {
 // A document's height maps lie beside it unless the user says where.
 GpuOptions gpu_options_of(const StillOptions& options) {
   GpuOptions gpu = options.gpu;
-  const std::filesystem::path beside = std::filesystem::path(options.cloudscape).parent_path();
-  if (gpu.height_map_dir.empty() && options.cloudscape.ends_with(".json"))
+  const std::string& document = options.cloudscape.empty() ? options.config : options.cloudscape;
+  const std::filesystem::path beside = std::filesystem::path(document).parent_path();
+  if (gpu.height_map_dir.empty() && document.ends_with(".json"))
     gpu.height_map_dir = beside.empty() ? "." : beside.string();
   return gpu;
+}
+
+// The library's name of the cloudscape that was named or whose document was; "" where none was.
+std::string named_in(settings::CloudscapeLibrary& library, const std::string& name_or_file) {
+  if (!settings::is_file_path(name_or_file)) return name_or_file;
+  settings::find_cloudscape(library, name_or_file);  // its errors name the file
+  library.put("file", settings::read_text_file(name_or_file, 256 * 1024));
+  return "file";
 }
 
 int run_still(const StillOptions& options) {
@@ -68,27 +78,31 @@ void add_sequence_options(CLI::App& command, StillOptions& options) {
 
 settings::StillRequest still_request(const StillOptions& options) {
   settings::CloudscapeLibrary library{{}};
-  std::string name = options.cloudscape;
-  if (name.find('/') != std::string::npos || name.ends_with(".json")) {
-    settings::find_cloudscape(library, name);  // its errors name the file
-    library.put("file", settings::read_text_file(name, 256 * 1024));
-    name = "file";
-  }
-  settings::Parameters parameters{{"cloudscape", name}, {"format", format_of(options.output)}};
+  const std::string name = named_in(library, options.cloudscape);
+  settings::Parameters parameters{{"format", format_of(options.output)}};
+  if (!name.empty()) parameters.emplace_back("cloudscape", name);
   parameters.insert(parameters.end(), options.parameters.begin(), options.parameters.end());
+  if (!options.config.empty())
+    return settings::still_from_document(settings::find_still(options.config), parameters, library, limits);
+  if (name.empty()) throw InvalidInput("cloudscape", "is missing: name one, or a still with --config");
   return settings::still_from_parameters(parameters, library, limits);
 }
 
 void add_still(CLI::App& program, Run& run) {
   auto options = std::make_shared<StillOptions>();
   CLI::App* command = program.add_subcommand("still", "Render one picture, or a sequence, into files");
-  command->add_option("cloudscape", options->cloudscape, "Name of a cloudscape, or a document's path")->required();
+  command->add_option("cloudscape", options->cloudscape,
+                      "Name of a cloudscape, or a document's path; needed without --config");
+  command->add_option(
+      "--config", options->config,
+      "Still to render: a name of `cloudscape list --stills`, or a file as POST /api/v1/stills takes it; "
+      "options beside it go first");
   command
       ->add_option("-o,--output", options->output,
                    "File to write: .jpg, .png or .exr; with --path one a frame, # for its digits: frame_####.png")
       ->required();
   for (const settings::ParameterInfo& parameter : settings::still_parameters(limits)) {
-    if (parameter.name == "cloudscape" || parameter.name == "format") continue;
+    if (parameter.name == "cloudscape" || parameter.name == "still" || parameter.name == "format") continue;
     const std::string about = parameter.description + " [" + parameter.default_text + "]";
     command->add_option_function<std::string>(
         flag_of(parameter.name),

@@ -10,7 +10,7 @@ namespace cloudscape::app {
 
 struct StillOptions {
   GpuOptions gpu;
-  std::string cloudscape, output;
+  std::string cloudscape, config, output;
   std::map<std::string, std::string> parameters;  // of the still, by their names in a query
   std::string path, frames;                       // of a sequence
   double frames_per_second = 30;

@@ -34,11 +34,7 @@ Json parameter(const settings::ParameterInfo& info) {
     schema["default"] = value;
   else if (!info.default_text.empty())
     description += " Default: " + info.default_text + ".";
-  return {{"name", info.name},
-          {"in", "query"},
-          {"required", info.name == "cloudscape"},
-          {"description", description},
-          {"schema", schema}};
+  return {{"name", info.name}, {"in", "query"}, {"required", false}, {"description", description}, {"schema", schema}};
 }
 
 Json still_parameters(const settings::ServerSettings& settings) {
@@ -56,14 +52,32 @@ Json still_answers() {
                {"304", answer("If-None-Match names the picture that this would be; nothing was rendered.")}};
   return with_problems(std::move(answers), {{"400", "A wrong value; `pointer` says which."},
                                             {"401", "The token is missing or wrong."},
-                                            {"404", "No such cloudscape."},
+                                            {"404", "No such cloudscape or still."},
                                             {"422", "Above a limit of this server; `detail` names it."},
                                             {"429", "This client asks for too much; Retry-After says when again."},
                                             {"500", "The renderer failed."},
                                             {"503", "Starting, stopping, queue full or too slow; see Retry-After."}});
 }
 
-Json still_body() { return with_cloudscape(settings::detail::schema_of(settings::StillBody{}), {"cloudscape"}); }
+Json still_body() {
+  Json schema = settings::detail::schema_of(settings::StillBody{});
+  const Json heading = settings::detail::schema_of(settings::StillHeading{});
+  for (const auto& [name, member] : heading["properties"].items()) schema["properties"][name] = member;
+  return with_cloudscape(schema, {"cloudscape"});
+}
+
+Json named_stills() {
+  Json entry{{"type", "object"}, {"required", {"name", "title", "description"}}};
+  for (const char* name : {"name", "title", "description"}) entry["properties"][name] = {{"type", "string"}};
+  const Json list{{"type", "object"},
+                  {"required", {"stills"}},
+                  {"properties", {{"stills", {{"type", "array"}, {"items", entry}}}}}};
+  return {
+      {"get", operation("listStills", "The stills that have names, for getStill's parameter `still`.",
+                        with_problems({{"200", answer("Their names and titles.", content("application/json", list))},
+                                       {"304", answer("Not changed.")}},
+                                      {{"401", "The token is missing or wrong."}}))}};
+}
 
 Json stills(const settings::ServerSettings& settings) {
   Json get = operation("getStill", "One picture, by query.", still_answers());
@@ -146,6 +160,7 @@ Json paths(const settings::ServerSettings& settings) {
           {"/api/v1/cloudscapes", cloudscapes()},
           {"/api/v1/cloudscapes/{name}", cloudscape()},
           {"/api/v1/stills", stills(settings)},
+          {"/api/v1/stills/named", named_stills()},
           {"/api/v1/sequences", sequences()},
           {"/api/v1/jobs/{id}", job()},
           {"/api/v1/jobs/{id}/result", job_result()}};

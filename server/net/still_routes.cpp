@@ -1,5 +1,8 @@
 // /api/v1/stills: one picture, by query or by JSON body.
+#include <nlohmann/json.hpp>
+
 #include "core/version.h"
+#include "net/header_list.h"
 #include "net/problem.h"
 #include "net/routes.h"
 
@@ -33,9 +36,19 @@ Answer post_still(const Request& request, Site& site) {
   return order(request, site, settings::still_from_json(request.body, site.parts.cloudscapes, limits));
 }
 
+Response list(const Request& request) {
+  nlohmann::ordered_json entries = nlohmann::ordered_json::array();
+  for (const auto& entry : settings::named_stills())
+    entries.push_back({{"name", entry.name}, {"title", entry.title}, {"description", entry.description}});
+  const std::string text = nlohmann::ordered_json{{"stills", entries}}.dump();
+  return revalidated(request, json_response(200, text), quoted_etag(text));
+}
+
 }  // namespace
 
 void add_still_routes(Router& router, Site& site) {
+  router.add(
+      {"/api/v1/stills/named", false, {{Method::get, [](const Request& request, auto&) { return list(request); }}}});
   router.add({"/api/v1/stills",
               false,
               {{Method::get, [&site](const Request& request, auto&) { return get_still(request, site); }},

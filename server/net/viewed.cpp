@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/march_steps.h"
 
 namespace cloudscape::net {
 namespace {
@@ -22,6 +23,18 @@ void check_size(ImageSize size_px, const settings::ServerSettings& limits) {
     throw OverLimit("/size_px", is + "a stream has at most " + std::to_string(side) + " pixels a side");
   if (megapixels > limits.max_stream_megapixels)
     throw OverLimit("/size_px", is + "a stream has at most " + number(limits.max_stream_megapixels) + " megapixels");
+}
+
+// Before any frame of it is rendered: a ray of 500,000 steps would hold up every other viewer.
+void check_march(const stream::StreamView& view, const settings::ServerSettings& limits) {
+  RenderQuality quality = render_quality(view.quality);
+  const RenderQuality moving = render_quality(Quality::interactive);
+  if (most_steps_of_ray(view.march, moving) > most_steps_of_ray(view.march, quality)) quality = moving;
+  if (most_steps_of_ray(view.march, quality) <= limits.max_stream_steps) return;
+  const MarchSteps each = march_steps(view.march, quality);
+  throw OverLimit("/march", "asks for " + std::to_string(each.view) + " * (1 + " + std::to_string(each.light) +
+                                ") steps of a ray: a stream has at most " + std::to_string(limits.max_stream_steps) +
+                                " (max_stream_steps); lower max_steps or light_steps");
 }
 
 void choose_document(Viewed& viewed, const wire::Settings& settings, const settings::CloudscapeLibrary& library) {
@@ -98,6 +111,7 @@ Viewed changed(Viewed viewed, const wire::Settings& settings, const settings::Cl
   put_sun_into_view(viewed);
   change_view(viewed.view, settings);
   check_size(viewed.view.size_px, limits);
+  check_march(viewed.view, limits);
   return viewed;
 }
 

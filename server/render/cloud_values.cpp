@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/march_steps.h"
 #include "render/block_values.h"
 
 namespace cloudscape::render {
@@ -109,12 +110,9 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
   const March& march = request.march;
   const RenderQuality& quality = request.quality;
   const bool layer = sky.volume.kind == VolumeKind::noise;
-  // llvmpipe ends the loops of a shader when they have gone round 65535 times in all; each step may look for cloud,
-  // shade it, and march its light.
-  const int light_steps = march.light_steps.value_or(quality.light_steps);
-  const int max_steps = std::min(march.max_steps.value_or(quality.max_steps), 65000 / (light_steps + 2));
-  block.steps = {march.step_m.value_or(quality.step_m), march.step_m ? 0.0 : quality.step_growth, max_steps,
-                 light_steps};
+  const MarchSteps steps = march_steps(march, quality);
+  block.steps = {march.step_m.value_or(quality.step_m), march.step_m ? 0.0 : quality.step_growth, steps.view,
+                 steps.light};
   block.adaptive = {march.adaptive_start_m, march.adaptive_step ? march.adaptive_growth : 0.0, march.random_first_step,
                     march.lighting};
   const glm::dvec2 altitudes_m = layer ? cloud_altitudes_m(sky, baked) : glm::dvec2(0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/march_steps.h"
 #include "render/block_values.h"
 
 namespace cloudscape::render {
@@ -94,8 +95,9 @@ bool Renderer::find_baked(RenderJob& job) {
 
 int Renderer::rows_of_next_slice(const RenderJob& job) const {
   const int width = job.targets->march_radiance.width();
-  const double pixels = context_.device().software ? slice_ms * pixels_per_ms_
-                                                   : gpu_steps_per_slice / std::max(1, job.request.quality.max_steps);
+  const MarchSteps steps = march_steps(job.request.march, job.request.quality);
+  const double pixels =
+      context_.device().software ? slice_ms * pixels_per_ms_ : gpu_steps_per_slice / std::max(1, steps.view);
   return std::max(1, static_cast<int>(pixels / width));
 }
 

@@ -71,9 +71,11 @@ struct CameraPath {
 // north. `source` opens messages about syntax. Throws InvalidInput.
 CameraPath parse_camera_path(std::string_view text, const std::string& source);
 
-// A file's path (it holds '/' or ends in .json), whose name opens the errors, or a name of config/paths, which is
-// compiled into the program. Throws NotFound, InvalidInput, Error (cannot be read).
-CameraPath find_camera_path(const std::string& name_or_path);
+// A path of config/paths, compiled into the program. Throws NotFound, with the nearest name.
+CameraPath named_camera_path(std::string_view name);
+// A file's path (it holds '/' or ends in .json), whose name opens the errors, or a name of config/paths. Throws
+// NotFound, InvalidInput, Error (cannot be read).
+CameraPath find_camera_path(const std::string& name_or_file);
 
 // Before the first and after the last key, that key; the path must have one. The key that is returned has no control
 // points.

@@ -1,11 +1,10 @@
 // Camera paths as documents: reading, checking, and finding by name.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
-#include "core/embedded.h"
 #include "settings/camera_path.h"
 #include "settings/described_json.h"
+#include "settings/named_documents.h"
 #include "settings/text_file.h"
 
 namespace cloudscape {
@@ -86,10 +85,6 @@ CameraPath read_camera_path(const nlohmann::json& json, const std::string& point
   return path;
 }
 
-std::string embedded_name(const EmbeddedFile& file) {
-  return std::filesystem::path(std::string(file.path)).stem().string();
-}
-
 }  // namespace
 
 Limits CameraPath::limits_of_fov() {
@@ -105,16 +100,13 @@ CameraPath parse_camera_path(std::string_view text, const std::string& source) {
   return read_camera_path(parse_json(text, source), "");
 }
 
-CameraPath find_camera_path(const std::string& name_or_path) {
-  if (name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".json"))
-    return read_camera_path(parse_json(read_text_file(name_or_path, max_path_bytes), name_or_path), name_or_path + "#");
-  std::vector<std::string> names;
-  for (const EmbeddedFile& file : embedded_paths) {
-    if (embedded_name(file) == name_or_path) return parse_camera_path(file.bytes, name_or_path);
-    names.push_back(embedded_name(file));
-  }
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  throw NotFound("there is no camera path " + shown(name_or_path) + ": " + suggestion(name_or_path, known));
+CameraPath named_camera_path(std::string_view name) {
+  return parse_camera_path(named_document(embedded_paths, name, "camera path").bytes, std::string(name));
+}
+
+CameraPath find_camera_path(const std::string& name_or_file) {
+  if (!is_file_path(name_or_file)) return named_camera_path(name_or_file);
+  return read_camera_path(parse_json(read_text_file(name_or_file, max_path_bytes), name_or_file), name_or_file + "#");
 }
 
 }  // namespace cloudscape::settings

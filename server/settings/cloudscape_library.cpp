@@ -3,12 +3,12 @@
 #include <map>
 #include <mutex>
 
-#include "core/embedded.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "settings/cloudscape_json.h"
 #include "settings/cloudscape_reader.h"
 #include "settings/json_text.h"
+#include "settings/named_documents.h"
 #include "settings/text_file.h"
 
 namespace cloudscape {
@@ -83,8 +83,7 @@ struct CloudscapeLibrary::State {
   }
   void add_presets() {
     for (const EmbeddedFile& file : embedded_presets)
-      documents[fs::path(file.path).stem().string()] =
-          make_document(std::string(file.bytes), std::string(file.path), true);
+      documents[document_name(file)] = make_document(std::string(file.bytes), std::string(file.path), true);
   }
   void add_file(const fs::path& file) {
     const std::string name = file.stem().string();
@@ -159,8 +158,7 @@ bool CloudscapeLibrary::remove(const std::string& name) {
 }
 
 std::shared_ptr<const Cloudscape> find_cloudscape(const CloudscapeLibrary& library, const std::string& name_or_path) {
-  const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".json");
-  if (!is_path) return library.get(name_or_path);
+  if (!is_file_path(name_or_path)) return library.get(name_or_path);
   const std::string text = read_text_file(name_or_path, max_document_bytes);
   return std::make_shared<const Cloudscape>(read_cloudscape(parse_json(text, name_or_path), name_or_path + "#"));
 }

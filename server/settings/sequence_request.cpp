@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "settings/described_json.h"
-#include "settings/named_paths.h"
 #include "settings/still_reader.h"
 
 namespace cloudscape::settings {
@@ -22,7 +21,7 @@ InvalidInput moved(const InvalidInput& error, const std::string& pointer) {
 CameraPath path_in(const json& body) {
   const auto path = body.find("path");
   if (path == body.end()) throw InvalidInput("/path", "is missing: must name a path, such as fly-around, or be one");
-  if (path->is_string()) return named_path(path->get_ref<const std::string&>());
+  if (path->is_string()) return named_camera_path(path->get_ref<const std::string&>());
   if (!path->is_object()) refuse("/path", *path, "a path's name or a whole path");
   try {
     return parse_camera_path(path->dump(), "/path");
@@ -47,14 +46,14 @@ void check_limits(const SequenceRequest& sequence, const SequenceLimits& limits)
     throw OverLimit("/frames", "are " + std::to_string(sequence.frames()) + ": this server's limit is " +
                                    std::to_string(limits.max_frames));
   const FrameRequest& frame = sequence.still.frame;
-  const int steps = frame.march.max_steps.value_or(frame.quality.max_steps);
-  const double gigasteps =
-      1e-9 * frame.size_px.width * frame.size_px.height * frame.quality.samples * steps * sequence.frames();
+  const double gigasteps = gigasteps_of(frame) * sequence.frames();
   if (gigasteps > limits.max_gigasteps)
     throw OverLimit("/frames", "ask for " + number_text(std::round(gigasteps)) +
-                                   " gigasteps (frames * pixels * samples * steps / 1e9): this server's limit is " +
+                                   " gigasteps (frames * pixels * samples * steps * (1 + light steps) / 1e9): this "
+                                   "server's limit is " +
                                    number_text(limits.max_gigasteps) +
-                                   "; ask for fewer frames, or lower width, height, samples or quality");
+                                   " (max_job_gigasteps); ask for fewer frames, or lower width, height, samples, "
+                                   "quality, max_steps or light_steps");
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct SequenceRequest {
 struct SequenceLimits {
   StillLimits still;  // each frame
   int max_frames = 1800;
-  double max_gigasteps = 4000;  // of all frames
+  double max_gigasteps = 100000;  // of all frames
 };
 
 // Fills in the last frame. `where` is what errors call the frames: "--frames", "/frames". Throws InvalidInput: first

@@ -33,14 +33,15 @@ struct ServerSettings {
   int max_streams = 32;
   int max_stream_side_px = 3840;
   double max_stream_megapixels = 8.3;
+  int max_stream_steps = 25600;
   int still_queue = 16;
   int max_still_side_px = 4096;
   double max_still_megapixels = 9.0;
-  double max_still_gigasteps = 60.0;
+  double max_still_gigasteps = 1500.0;
   double max_bake_mib = 128.0;  // tuned: a volume of 256^3 in either format, not one of 512^3
   int max_jobs = 4;
   int max_job_frames = 1800;
-  double max_job_gigasteps = 4000;
+  double max_job_gigasteps = 100000;
   double job_results_mib = 1024;
   double job_kept_s = 3600;
   std::string jobs_dir;  // "": the system's folder for temporary files
@@ -81,18 +82,20 @@ struct ServerSettings {
     visit("max_streams", self.max_streams, Limits{1, 4096}, "Viewers at the same time.");
     visit("max_stream_side_px", self.max_stream_side_px, Limits{16, 16384}, "Width or height of a stream, pixels.");
     visit("max_stream_megapixels", self.max_stream_megapixels, Limits{0.01, 256}, "Size of a stream, megapixels.");
+    visit("max_stream_steps", self.max_stream_steps, Limits{1, 65535},
+          "Steps of a ray of a stream: steps * (1 + light steps); 25600: the quality reference.");
     visit("still_queue", self.still_queue, Limits{1, 4096}, "Stills that wait or render; one more gets 503.");
     visit("max_still_side_px", self.max_still_side_px, Limits{16, 16384}, "Width or height of a still, pixels.");
     visit("max_still_megapixels", self.max_still_megapixels, Limits{0.01, 256}, "Size of a still, megapixels.");
-    visit("max_still_gigasteps", self.max_still_gigasteps, Limits{0.001, 1e6},
-          "Work of a still: pixels * samples * steps / 1e9.");
+    visit("max_still_gigasteps", self.max_still_gigasteps, Limits{0.001, 1e9},
+          "Work of a still: pixels * samples * steps * (1 + light steps) / 1e9.");
     visit(
         "max_bake_mib", self.max_bake_mib, Limits{0.1, 1e5},
         "Baked textures of a cloudscape that is rendered or put, MiB; 128: volumes of 256^3 texels, but not of 512^3.");
     visit("max_jobs", self.max_jobs, Limits{1, 4096}, "Jobs that wait or render; one more gets 503.");
     visit("max_job_frames", self.max_job_frames, Limits{1, 1e6}, "Frames of a job.");
-    visit("max_job_gigasteps", self.max_job_gigasteps, Limits{0.001, 1e9},
-          "Work of a job: frames * pixels * samples * steps / 1e9.");
+    visit("max_job_gigasteps", self.max_job_gigasteps, Limits{0.001, 1e12},
+          "Work of a job: frames * pixels * samples * steps * (1 + light steps) / 1e9.");
     visit("job_results_mib", self.job_results_mib, Limits{1, 1e7}, "What the results of jobs may take on disk, MiB.");
     visit("job_kept_s", self.job_kept_s, Limits{1, 1e7}, "Time that a job and its result are kept after its end, s.");
     visit("jobs_dir", self.jobs_dir, path_lengths,

@@ -1,6 +1,7 @@
 // The parts of a still request as described values; the JSON body has this form, a query names the same members flatly.
 #pragma once
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/cloudscape.h"
@@ -66,6 +67,16 @@ struct StillMedium {
   static void fields(auto& self, auto&& visit) {
     visit("phase", self.phase, Limits{}, "Phase function and its parameters.");
     visit("light_function", self.light_function, Limits{}, "Sunlight inside the cloud.");
+  }
+};
+
+// What people call a still; it changes nothing of the picture.
+struct StillHeading {
+  std::string title, description;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("title", self.title, Limits{0, 80}, "Short name for people.");
+    visit("description", self.description, Limits{0, 500}, "One sentence about what it shows.");
   }
 };
 

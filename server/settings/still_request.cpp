@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/content_hash.h"
+#include "core/march_steps.h"
 #include "settings/cloudscape_reader.h"
 #include "settings/described_json.h"
 #include "settings/still_body.h"
@@ -65,20 +66,22 @@ void check_side(int side_px, const std::string& pointer, const StillLimits& limi
 }
 
 // `prefix` is where the picture's members stand: "/" in a query, "/image/" in a body.
-void check_limits(const StillImage& image, const RenderQuality& quality, int max_steps, const std::string& prefix,
-                  const StillLimits& limits) {
-  check_side(image.size_px.width, prefix + "width", limits);
-  check_side(image.size_px.height, prefix + "height", limits);
-  const double pixels = double(image.size_px.width) * image.size_px.height;
-  if (pixels / 1e6 > limits.max_megapixels)
-    throw OverLimit(prefix + "width", "times height is " + number_text(pixels / 1e6) +
+void check_limits(const FrameRequest& request, const std::string& prefix, const StillLimits& limits) {
+  const ImageSize& size_px = request.size_px;
+  check_side(size_px.width, prefix + "width", limits);
+  check_side(size_px.height, prefix + "height", limits);
+  const double megapixels = double(size_px.width) * size_px.height / 1e6;
+  if (megapixels > limits.max_megapixels)
+    throw OverLimit(prefix + "width", "times height is " + number_text(megapixels) +
                                           " megapixels: this server's limit is " + number_text(limits.max_megapixels));
-  const double gigasteps = pixels * quality.samples * max_steps / 1e9;
+  const double gigasteps = gigasteps_of(request);
   if (gigasteps > limits.max_gigasteps)
     throw OverLimit(prefix + "quality", "asks for " + number_text(gigasteps) +
-                                            " gigasteps (pixels * samples * steps / 1e9): this server's limit is " +
+                                            " gigasteps (pixels * samples * steps * (1 + light steps) / 1e9): this "
+                                            "server's limit is " +
                                             number_text(limits.max_gigasteps) +
-                                            "; lower width, height, samples or quality");
+                                            " (max_still_gigasteps); lower width, height, samples, quality, max_steps "
+                                            "or light_steps");
 }
 
 // The cloudscape with what the request changes of it; itself where that is nothing.
@@ -114,8 +117,7 @@ StillRequest finish(const std::shared_ptr<const Cloudscape>& cloudscape, StillBo
   request.frame.time_s = body.image.time_s;
   request.encoding = body.image.encoding;
   request.frame.content = request.encoding.format == ImageFormat::exr ? FrameContent::radiance : FrameContent::display;
-  check_limits(body.image, request.frame.quality, body.march.max_steps.value_or(request.frame.quality.max_steps),
-               prefix, limits);
+  check_limits(request.frame, prefix, limits);
   request.canonical = canonical_text(*request.frame.cloudscape, body);
   return request;
 }
@@ -123,7 +125,7 @@ StillRequest finish(const std::shared_ptr<const Cloudscape>& cloudscape, StillBo
 const char* const cloudscape_missing = "is missing: must name a cloudscape, such as fair-weather-cumulus";
 
 void check_names(const Parameters& parameters, const StillBody& body) {
-  std::vector<std::string> names{"cloudscape"};
+  std::vector<std::string> names{"cloudscape", "still"};
   each_parameter(body, [&](const std::string& path, auto&&...) { names.push_back(parameter_name(path)); });
   const std::vector<std::string_view> known(names.begin(), names.end());
   std::vector<std::string_view> seen;
@@ -143,12 +145,47 @@ const std::string* find_value(const Parameters& parameters, const std::string& n
   return nullptr;
 }
 
-std::shared_ptr<const Cloudscape> cloudscape_in(const json& body, const CloudscapeLibrary& library) {
+// `pointer` is where the cloudscape stands.
+std::shared_ptr<const Cloudscape> cloudscape_in(const json& body, const std::string& pointer,
+                                                const CloudscapeLibrary& library) {
   const auto cloudscape = body.find("cloudscape");
-  if (cloudscape == body.end()) throw InvalidInput("/cloudscape", cloudscape_missing);
+  if (cloudscape == body.end()) throw InvalidInput(pointer, cloudscape_missing);
   if (cloudscape->is_string()) return library.get(cloudscape->get_ref<const std::string&>());
-  if (!cloudscape->is_object()) refuse("/cloudscape", *cloudscape, "a cloudscape's name or a whole document");
-  return std::make_shared<const Cloudscape>(read_cloudscape(*cloudscape, "/cloudscape"));
+  if (!cloudscape->is_object()) refuse(pointer, *cloudscape, "a cloudscape's name or a whole document");
+  return std::make_shared<const Cloudscape>(read_cloudscape(*cloudscape, pointer));
+}
+
+// A still as it was asked for, before it is held to the limits.
+struct Asked {
+  std::shared_ptr<const Cloudscape> cloudscape;
+  StillBody body;
+};
+
+// `where` opens the pointers of errors.
+Asked read_body(json parsed, const std::string& where, const CloudscapeLibrary& library) {
+  auto names = field_names<StillBody>();
+  for (const auto name : field_names<StillHeading>()) names.push_back(name);
+  names.insert(names.begin(), "cloudscape");
+  detail::check_object(parsed, where, names);
+  StillHeading heading;
+  StillHeading::fields(heading, [&](std::string_view name, auto& member, const Limits& limits, std::string_view) {
+    const auto given = parsed.find(name);
+    if (given == parsed.end()) return;
+    read(*given, member, where + "/" + std::string(name), limits);
+    parsed.erase(given);
+  });
+  Asked asked{cloudscape_in(parsed, where + "/cloudscape", library), {}};
+  asked.body = body_of(*asked.cloudscape);
+  parsed.erase("cloudscape");
+  read(parsed, asked.body, where);
+  return asked;
+}
+
+void apply(const Parameters& parameters, StillBody& body) {
+  each_parameter(body, [&](const std::string& path, auto& member, const Limits& within, std::string_view) {
+    const std::string key = parameter_name(path);
+    if (const std::string* text = find_value(parameters, key)) read_text(*text, member, "/" + key, within);
+  });
 }
 
 // Whose value a parameter takes where it is absent.
@@ -165,18 +202,33 @@ std::string default_text(const std::string& path, const std::string& own) {
 
 }  // namespace
 
+double gigasteps_of(const FrameRequest& request) {
+  const double pixels = double(request.size_px.width) * request.size_px.height;
+  return pixels * request.quality.samples * most_steps_of_ray(request.march, request.quality) / 1e9;
+}
+
 StillRequest still_from_parameters(const Parameters& parameters, const CloudscapeLibrary& library,
                                    const StillLimits& limits) {
   check_names(parameters, {});
+  if (const std::string* still = find_value(parameters, "still"))
+    return still_from_document(named_still(*still), parameters, library, limits);
   const std::string* name = find_value(parameters, "cloudscape");
   if (!name) throw InvalidInput("/cloudscape", cloudscape_missing);
   const auto cloudscape = library.get(*name);
   StillBody body = body_of(*cloudscape);
-  each_parameter(body, [&](const std::string& path, auto& member, const Limits& within, std::string_view) {
-    const std::string key = parameter_name(path);
-    if (const std::string* text = find_value(parameters, key)) read_text(*text, member, "/" + key, within);
-  });
+  apply(parameters, body);
   return finish(cloudscape, body, "/", limits);
+}
+
+StillRequest still_from_document(const StillDocument& document, const Parameters& parameters,
+                                 const CloudscapeLibrary& library, const StillLimits& limits) {
+  check_names(parameters, {});
+  json parsed = parse_json(document.text, document.source.empty() ? "still" : document.source);
+  const std::string* name = find_value(parameters, "cloudscape");
+  if (name && parsed.is_object()) parsed["cloudscape"] = *name;
+  Asked asked = read_body(std::move(parsed), document.source.empty() ? "" : document.source + "#", library);
+  apply(parameters, asked.body);
+  return finish(asked.cloudscape, asked.body, "/", limits);
 }
 
 StillRequest still_from_json(std::string_view text, const CloudscapeLibrary& library, const StillLimits& limits) {
@@ -184,19 +236,20 @@ StillRequest still_from_json(std::string_view text, const CloudscapeLibrary& lib
 }
 
 StillRequest still_from_parsed(json parsed, const CloudscapeLibrary& library, const StillLimits& limits) {
-  auto names = field_names<StillBody>();
-  names.insert(names.begin(), "cloudscape");
-  detail::check_object(parsed, "", names);
-  const auto cloudscape = cloudscape_in(parsed, library);
-  parsed.erase("cloudscape");
-  StillBody body = body_of(*cloudscape);
-  read(parsed, body, "");
-  return finish(cloudscape, body, "/image/", limits);
+  const Asked asked = read_body(std::move(parsed), "", library);
+  return finish(asked.cloudscape, asked.body, "/image/", limits);
 }
 
 std::vector<ParameterInfo> still_parameters(const StillLimits& limits) {
   std::vector<ParameterInfo> parameters{
-      {"cloudscape", "string", "Name of the cloudscape; required.", {}, std::nullopt, std::nullopt, ""}};
+      {"cloudscape", "string", "Name of the cloudscape; required without a still.", {}, std::nullopt, std::nullopt, ""},
+      {"still",
+       "string",
+       "Name of a still; it gives what no other parameter does.",
+       {},
+       std::nullopt,
+       std::nullopt,
+       ""}};
   const StillBody body = body_of({});
   each_parameter(body,
                  [&](const std::string& path, const auto& member, const Limits& within, std::string_view meaning) {

@@ -95,6 +95,38 @@ class Still(CliTest):
         self.assertTrue((self.folder / "a.png").exists())
 
 
+class StillConfig(CliTest):
+    STILL = '{"title": "Small", "cloudscape": %s, "camera": {"elevation_deg": 20}, "image": {"width": 32, "height": 18, "quality": "draft"}}'
+
+    def setUp(self):
+        super().setUp()
+        self.config = self.write("still.json", self.STILL % (DOCUMENT % 1))
+
+    def test_a_file_is_rendered_as_it_says_and_options_go_first(self):
+        self.assert_done(self.run_program("still", "--config", self.config, "-o", "a.png"))
+        self.assert_done(self.still(self.sky, "b.png", "--elevation-deg", "20"))
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        self.assert_done(self.run_program("still", "--config", self.config, "-o", "c.png", "--elevation-deg", "30", "--width", "16"))
+        self.assertEqual(struct.unpack(">II", (self.folder / "c.png").read_bytes()[16:24]), (16, 18))
+        other = self.write("other.json", DOCUMENT % 2)
+        self.assert_done(self.run_program("still", other, "--config", self.config, "-o", "d.png"))
+        self.assertNotEqual((self.folder / "a.png").read_bytes(), (self.folder / "d.png").read_bytes())
+
+    def test_bad_names_and_files_are_told_in_one_sentence(self):
+        run = lambda *arguments: self.run_program("still", *arguments, "-o", "a.png")
+        self.assert_one_sentence(run("--config", "fog-bwo"), 1, "still", "fog-bwo", "did you mean fog-bow?")
+        self.assert_one_sentence(run("--config", "nowhere/still.json"), 1, "nowhere/still.json")
+        broken = self.write("broken.json", '{"cloudscape": "overcast",\n "image": {')
+        self.assert_one_sentence(run("--config", broken), 2, broken, "line 2")
+        wrong = self.write("wrong.json", '{"cloudscape": "overcast", "image": {"widht": 3}}')
+        self.assert_one_sentence(run("--config", wrong), 2, wrong + "#/image/widht", "width")
+        unnamed = self.write("unnamed.json", '{"image": {"width": 3}}')
+        self.assert_one_sentence(run("--config", unnamed), 2, unnamed + "#/cloudscape", "missing")
+        self.assert_one_sentence(run("--config", self.config, "--elevation-deg", "91"), 2, "elevation", "91")
+        self.assert_one_sentence(run(), 2, "cloudscape", "--config")
+        self.assertEqual(self.bakes(), [], "nothing was baked for it")
+
+
 class StillRefuses(CliTest):
     def test_an_unknown_cloudscape_and_names_the_nearest(self):
         self.assert_one_sentence(self.still("fair-wether-cumulus", "a.png"), 1, "fair-wether-cumulus",
@@ -309,6 +341,14 @@ class Lists(CliTest):
         self.assert_done(result)
         presets = {file.stem for file in (pathlib.Path(__file__).parents[2] / "config/cloudscapes").glob("*.json")}
         self.assertEqual({line.split()[0] for line in result.stdout.splitlines()}, presets)
+        for line in result.stdout.splitlines():
+            self.assertRegex(line, r"^[a-z0-9-]+ +[A-Z].*\.$")
+
+    def test_list_names_each_still_with_a_sentence(self):
+        result = self.run_program("list", "--stills")
+        self.assert_done(result)
+        stills = {file.stem for file in (pathlib.Path(__file__).parents[2] / "config/stills").glob("*.json")}
+        self.assertEqual({line.split()[0] for line in result.stdout.splitlines()}, stills)
         for line in result.stdout.splitlines():
             self.assertRegex(line, r"^[a-z0-9-]+ +[A-Z].*\.$")
 

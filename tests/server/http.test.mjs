@@ -62,6 +62,16 @@ test('the page is there, whole, and revalidates', async () => {
   assert.equal(again.status, 304);
 });
 
+test('stills that have names are listed and rendered', async () => {
+  const list = (await described('/api/v1/stills/named')).json().stills;
+  assert.ok(list.some(still => still.name === 'fog-bow' && still.title && still.description), JSON.stringify(list));
+  const picture = await described('/api/v1/stills?still=fog-bow&width=32&height=24&quality=draft&samples=1&cloudscape=' + cloudscape);
+  assert.equal(picture.status, 200);
+  const unknown = await described('/api/v1/stills?still=fog-bwo');
+  assert.equal(unknown.status, 404);
+  assert.match(unknown.json().detail, /did you mean fog-bow/);
+});
+
 test('each format arrives as what it says', async () => {
   const starts = { jpeg: ['image/jpeg', 'ffd8ff'], png: ['image/png', '89504e47'], exr: ['image/x-exr', '762f3101'] };
   for (const [format, [type, magic]] of Object.entries(starts)) {

@@ -85,6 +85,29 @@ TEST_F(Viewer, hello_may_give_a_pose_in_part_and_a_whole_document) {
   EXPECT_EQ(welcome["cloudscape"], "");
 }
 
+TEST_F(Viewer, march_of_too_many_steps_is_refused_and_the_stream_goes_on) {
+  greet();
+  say(R"({"type":"settings","march":{"max_steps":16384,"light_steps":1}})");
+  const Json message = heard();
+  EXPECT_EQ(message["pointer"], "/march");
+  EXPECT_EQ(message["fatal"], false);
+  EXPECT_EQ(message["message"],
+            "/march asks for 16384 * (1 + 1) steps of a ray: a stream has at most 25600 (max_stream_steps); lower "
+            "max_steps or light_steps");
+  say(R"({"type":"settings","march":{"max_steps":3200,"light_steps":7},"quality":"reference"})");
+  EXPECT_EQ(heard()["type"], nullptr) << "as much as the limit";
+  say(R"({"type":"settings","march":{"max_steps":16384,"lighting":false}})");
+  EXPECT_EQ(heard()["type"], nullptr) << "no light is marched";
+}
+
+TEST_F(Viewer, hello_with_a_document_of_too_many_steps_is_refused) {
+  make();
+  say(R"({"type":"hello","cloudscape":{"view":{"march":{"max_steps":500,"light_steps":128}}}})");
+  expect_error(false, "/march");
+  say(R"({"type":"hello","cloudscape":{"view":{"march":{"max_steps":500,"light_steps":128}}},"march":{"light_steps":6}})");
+  EXPECT_EQ(heard()["type"], "welcome");
+}
+
 TEST_F(Viewer, must_say_hello_first_and_once) {
   make();
   say(R"({"type":"camera","pose_sequence":1,"pose":{"azimuth_deg":1}})");

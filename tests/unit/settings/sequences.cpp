@@ -1,6 +1,5 @@
 // Sequences: which frames, what each of them shows, the names of their files, and what is refused.
 #include "settings/frame_pattern.h"
-#include "settings/named_paths.h"
 #include "settings/sequence_request.h"
 #include "tests/unit/settings/refusal.h"
 
@@ -35,7 +34,7 @@ TEST_F(Sequences, WholePathIsTheDefault) {
 TEST_F(Sequences, FrameIsThePathAtItsTime) {
   const SequenceRequest sequence = read(R"("frames": {"first": 3, "last": 40, "frames_per_second": 10},
       "image": {"width": 64, "height": 48, "quality": "draft", "time_s": 100, "format": "png"}, "container": "zip")");
-  const CameraPath path = named_path("fly-around");
+  const CameraPath path = named_camera_path("fly-around");
   const FrameRequest frame = sequence.frame(33);
   EXPECT_EQ(frame.pose, at(path, 3.3));
   EXPECT_EQ(frame.lens.vertical_fov_deg, key_at(path, 3.3).vertical_fov_deg);
@@ -91,6 +90,14 @@ TEST_F(Sequences, LimitsHoldForEachFrameAndForAll) {
   EXPECT_EQ(refused<OverLimit>(R"("image": {"width": 5000})", limits).pointer, "/image/width");
   limits.max_gigasteps = 1;
   EXPECT_THAT(refused<OverLimit>("", limits).sentence, HasSubstr("gigasteps"));
+  EXPECT_THAT(refused<OverLimit>("", limits).sentence, HasSubstr("(max_job_gigasteps)"));
+  const auto light = [](int steps) {
+    return R"("frames": {"last": 9}, "image": {"width": 1000, "height": 100, "samples": 1},
+              "march": {"max_steps": 100, "light_steps": )" +
+           std::to_string(steps) + "}";
+  };
+  EXPECT_EQ(read(light(9), limits).frames(), 10) << "10 frames * 0.1 megapixels * 100 * (1 + 9) steps";
+  EXPECT_THROW(read(light(10), limits), OverLimit);
   EXPECT_EQ(read(R"("frames": {"last": 2}, "image": {"width": 64, "height": 36})", limits).frames(), 3);
 }
 

@@ -182,10 +182,35 @@ TEST_F(Stills, WorkAboveTheServersLimitsIsNamed) {
             "/width times height is 2 megapixels: this server's limit is 1.5");
   const std::string work =
       over({{"width", "1000"}, {"height", "1000"}, {"quality", "reference"}, {"samples", "100"}}, {}).sentence;
-  EXPECT_THAT(work, HasSubstr("/quality asks for 102.4 gigasteps"));
-  EXPECT_THAT(work, HasSubstr("limit is 60"));
+  EXPECT_THAT(work, HasSubstr("/quality asks for 2560 gigasteps"));
+  EXPECT_THAT(work, HasSubstr("limit is 1500 (max_still_gigasteps); lower"));
   EXPECT_EQ(refusal<OverLimit>([&] { body(R"("image": {"width": 5000})"); }).pointer, "/image/width");
   EXPECT_NO_THROW(query({{"width", "3840"}, {"height", "2160"}}));
+}
+
+TEST_F(Stills, LightStepsAreWork) {
+  const auto march = [&](int max_steps, int light_steps) {
+    const std::string steps = std::to_string(max_steps) + R"(, "light_steps": )" + std::to_string(light_steps);
+    return body(R"("image": {"width": 1000, "height": 1000, "samples": 1}, "march": {"max_steps": )" + steps + "}",
+                {.max_gigasteps = 1});
+  };
+  EXPECT_EQ(gigasteps_of(march(100, 9).frame), 1);
+  const auto refused = refusal<OverLimit>([&] { march(100, 10); });
+  EXPECT_EQ(refused.pointer, "/image/quality");
+  EXPECT_THAT(refused.sentence,
+              HasSubstr("asks for 1.1 gigasteps (pixels * samples * steps * (1 + light steps) / 1e9)"));
+  EXPECT_THROW(march(101, 9), OverLimit);
+}
+
+// What the qualities ask for of themselves is allowed, as large as it is worth.
+TEST_F(Stills, EveryQualityIsAllowedByDefault) {
+  for (const char* quality : {"draft", "interactive", "standard"})
+    EXPECT_NO_THROW(query({{"width", "3840"}, {"height", "2160"}, {"quality", quality}}));
+  EXPECT_NO_THROW(query({{"width", "1920"}, {"height", "1080"}, {"quality", "high"}}));
+  EXPECT_NO_THROW(query({{"width", "1152"}, {"height", "648"}, {"quality", "reference"}}));
+  for (const auto& preset : library.list())
+    EXPECT_NO_THROW(
+        still_from_parameters({{"cloudscape", preset.name}, {"width", "1920"}, {"height", "1080"}}, library, {}));
 }
 
 TEST_F(Stills, TexturesAboveTheServersLimitAreNamed) {

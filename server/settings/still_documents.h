@@ -1,0 +1,24 @@
+// Stills as documents: those of config/stills, compiled into the program and known by name, and files.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cloudscape::settings {
+
+// What POST /api/v1/stills takes, as text.
+struct StillDocument {
+  std::string text;
+  std::string source;  // the file that opens errors; "" for a name or a body
+};
+
+struct StillEntry {
+  std::string name, title, description;
+};
+
+std::vector<StillEntry> named_stills();
+StillDocument named_still(std::string_view name);  // throws NotFound, with the nearest name
+// A file's path (it holds '/' or ends in .json) or a name. Throws NotFound, Error (cannot be read).
+StillDocument find_still(const std::string& name_or_file);
+
+}  // namespace cloudscape::settings
