@@ -88,7 +88,8 @@ struct Sky {
 
   static void fields(auto& self, auto&& visit) {
     visit("kind", self.kind, Limits{},
-          "none: black. uniform: one radiance all round. clear: an atmosphere of air, aerosol and ozone (Hillaire 2020).");
+          "none: black. uniform: one radiance all round. clear: an atmosphere of air, aerosol and ozone (Hillaire "
+          "2020).");
     visit("radiance", self.radiance, Limits{0, 1e6}, "Radiance of a uniform sky, the sun's unit per steradian.");
     visit("haze", self.haze, Limits{0, 20}, "Aerosol of a clear sky, times the clean continental amount.");
     visit("aerosol_scale_m", self.aerosol_scale_m, Limits{100, 20000},

@@ -40,7 +40,9 @@ HorizontalPosition seen(HorizontalPosition position) {
 }
 
 // Greenwich's (Meeus, equation 12.4).
-double sidereal_deg(double julian_day) { return wrapped(280.46061837 + 360.98564736629 * (julian_day - 2451545.0), 360); }
+double sidereal_deg(double julian_day) {
+  return wrapped(280.46061837 + 360.98564736629 * (julian_day - 2451545.0), 360);
+}
 
 // The digits at `text`'s front as a number; nullopt unless there are `digits` of them.
 std::optional<int> take_number(std::string_view& text, std::size_t digits) {
@@ -103,8 +105,7 @@ std::optional<double> julian_day(std::string_view text) {
 double refraction_deg(double elevation) {
   if (elevation > 85) return 0;
   const double tangent = tan_deg(elevation);
-  if (elevation > 5)
-    return (58.1 / tangent - 0.07 / std::pow(tangent, 3) + 0.000086 / std::pow(tangent, 5)) / 3600;
+  if (elevation > 5) return (58.1 / tangent - 0.07 / std::pow(tangent, 3) + 0.000086 / std::pow(tangent, 5)) / 3600;
   if (elevation > -0.575)
     return (1735 + elevation * (-518.2 + elevation * (103.4 + elevation * (-12.79 + elevation * 0.711)))) / 3600;
   return -20.772 / tangent / 3600;
@@ -124,8 +125,8 @@ HorizontalPosition sun_position(double day, double latitude_deg, double longitud
   const double y = tan_deg(obliquity / 2) * tan_deg(obliquity / 2);
   const double equation_of_time_deg =
       (y * sin_deg(2 * mean_longitude) - 2 * eccentricity * sin_deg(anomaly) +
-       4 * eccentricity * y * sin_deg(anomaly) * cos_deg(2 * mean_longitude) - 0.5 * y * y * sin_deg(4 * mean_longitude) -
-       1.25 * eccentricity * eccentricity * sin_deg(2 * anomaly)) /
+       4 * eccentricity * y * sin_deg(anomaly) * cos_deg(2 * mean_longitude) -
+       0.5 * y * y * sin_deg(4 * mean_longitude) - 1.25 * eccentricity * eccentricity * sin_deg(2 * anomaly)) /
       radians_per_degree;
   const double hour_angle = 360 * wrapped(day, 1) + equation_of_time_deg + longitude_deg;  // 0 at noon, as Julian days
   return seen(horizontal({hour_angle, declination}, latitude_deg));

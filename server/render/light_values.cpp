@@ -141,6 +141,8 @@ bool moon_lights(const Cloudscape& sky) {
          sky.moon.elevation_deg > -2;
 }
 
-double light_azimuth_deg(const Cloudscape& sky) { return moon_lights(sky) ? sky.moon.azimuth_deg : sky.sun.azimuth_deg; }
+double light_azimuth_deg(const Cloudscape& sky) {
+  return moon_lights(sky) ? sky.moon.azimuth_deg : sky.sun.azimuth_deg;
+}
 
 }  // namespace cloudscape::render

@@ -64,9 +64,7 @@ constexpr double first_rung_m = 62.5, rung_ratio = 1.25;
 
 }  // namespace
 
-double level_altitude_m(int level) {
-  return first_rung_m * (std::pow(rung_ratio, level) - 1) / (rung_ratio - 1);
-}
+double level_altitude_m(int level) { return first_rung_m * (std::pow(rung_ratio, level) - 1) / (rung_ratio - 1); }
 
 int level_below(double altitude_m) {
   const double rungs = std::log1p(std::max(altitude_m, 0.0) * (rung_ratio - 1) / first_rung_m) / std::log(rung_ratio);

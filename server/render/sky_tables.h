@@ -1,4 +1,5 @@
-// Tables of the clear sky (Hillaire 2020), each kept for the few skies that are being looked at. What is computed anew when:
+// Tables of the clear sky (Hillaire 2020), each kept for the few skies that are being looked at. What is computed anew
+// when:
 //   air      transmittance and multiple scattering: when the atmosphere or the ground's albedo changes
 //   level    sky view and aerial perspective as seen from one of a ladder of altitudes: when the light moves in
 //            elevation, or the camera crosses a rung
