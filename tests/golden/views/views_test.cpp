@@ -54,6 +54,8 @@ const View views[] = {
      [](FrameRequest& request) {
        request.pose = {{0, 0, 12000}, 40, -20, 0};
      }},
+    {"blue-hour", "../../../config/stills/blue-hour.json", 24, 0.5, edges},
+    {"moonlight", "../../../config/stills/moonlight.json", 24, 0.5, edges},
     {"after-an-hour", "sunset-broken", 24, 0.5, edges, [](FrameRequest& request) { request.time_s = 3600; }},
     {"sphere", "sphere.json", 2, 0.05, closed_form},
     {"slab", "slab.json", 2, 0.05, closed_form},

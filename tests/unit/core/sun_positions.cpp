@@ -42,8 +42,8 @@ struct Example {
 const Example examples[] = {
     {"NREL SPA, appendix A.5 (zenith 50.11162, azimuth 194.34024)", "2003-10-17T19:30:30Z", 39.742476, -105.1786,
      194.34024, 39.88838, 0.01},
-    {"Meeus, example 25.a: declination -7.78507 at 0 TD; seen from the pole (refraction 0.0422)", "1992-10-13T00:00:00Z", 90, 0, -1,
-     -7.78507 + 0.0422, 0.005},
+    {"Meeus, example 25.a: declination -7.78507 at 0 TD; seen from the pole (refraction 0.0422)",
+     "1992-10-13T00:00:00Z", 90, 0, -1, -7.78507 + 0.0422, 0.005},
     {"June solstice 2026 at its instant: declination 23.4383, seen from the pole (refraction 0.037)",
      "2026-06-21T08:25:00Z", 90, 0, -1, 23.4383 + 0.0371, 0.01},
     {"December solstice 2026, the south pole", "2026-12-21T20:50:00Z", -90, 0, -1, 23.4383 + 0.0371, 0.01},
