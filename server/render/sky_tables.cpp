@@ -13,8 +13,9 @@ constexpr std::size_t most_airs = 4, most_levels = 16, most_views = 8, most_ligh
 constexpr int orders_after_the_first = 2;  // tuned: one more changes no channel by half a hundredth
 
 // As in shaders/render/air.glsl.
-constexpr int transmittance_width = 256, transmittance_height = 64, multiple_side = 32, view_width = 64,
-              view_height = 64, aerial_side = 32, aerial_depth = 3 * 24, cloud_sun_width = 64, cloud_sun_height = 16;
+constexpr int transmittance_width = 256, transmittance_height = 64, multiple_side = 32, view_width = 48,
+              view_height = 56, aerial_width = 24, aerial_height = 32, aerial_depth = 3 * 24, cloud_sun_width = 64,
+              cloud_sun_height = 16;
 constexpr int light_entries = 8, rays = 8 * 16, ray_rows = 2;  // render/light_directions.glsl
 
 Texture table(int width, int height, const char* label) {
@@ -24,7 +25,7 @@ Texture table(int width, int height, const char* label) {
 }
 
 Texture aerial_table() {
-  Texture texture(Format::rgba32f, aerial_side, aerial_side, aerial_depth, "aerial perspective");
+  Texture texture(Format::rgba32f, aerial_width, aerial_height, aerial_depth, "aerial perspective");
   texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
   return texture;
 }

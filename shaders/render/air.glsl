@@ -8,8 +8,8 @@ layout(binding = 8) uniform sampler2D transmittance_table;
 
 const vec2 transmittance_size = vec2(256.0, 64.0);
 const vec2 multiple_size = vec2(32.0, 32.0);
-const vec2 sky_view_size = vec2(64.0, 64.0);
-const vec3 aerial_size = vec3(32.0, 32.0, 24.0);  // three blocks of it, one above the other
+const vec2 sky_view_size = vec2(48.0, 56.0);
+const vec3 aerial_size = vec3(24.0, 32.0, 24.0);  // three blocks of it, one above the other
 const vec2 cloud_sun_size = vec2(64.0, 16.0);
 const float cloud_sun_span = 0.047;  // 300 km
 

@@ -68,6 +68,11 @@ TEST_F(ClearSky, MeetsTheTracerOverGreyGround) {
     for (const Look look : {Look{90, 90}, Look{180, 45}, Look{90, 10}}) compare(sun_deg, 0.3, look, -0.12, 0.05);
 }
 
+TEST_F(ClearSky, MeetsTheTracerInTwilight) {
+  for (const double sun_deg : {-2.0, -5.0})
+    for (const Look look : {Look{0, 10}, Look{90, 60}, Look{180, 20}}) compare(sun_deg, 0.1, look, -0.25, 0.25);
+}
+
 // From above, down to the ground.
 TEST_F(ClearSky, MeetsTheTracerFromAbove) {
   for (const double altitude_m : {3000.0, 12000.0})
@@ -129,7 +134,7 @@ TEST_F(ClearSky, ChangesEvenlyWithAltitude) {
 }
 
 TEST_F(ClearSky, IsNotComputedAnewWhereOnlyTheCameraMoves) {
-  const FrameRequest request = one_ray(clear_sky(20), {{0, 0, 700}, 0, 10, 0});
+  const FrameRequest request = one_ray(clear_sky(20), {{0, 0, 800}, 0, 10, 0});
   const auto bakes_of = [&](const CameraPose& pose, const Cloudscape& sky) {
     FrameRequest moved = request;
     moved.pose = pose, moved.cloudscape = std::make_shared<const Cloudscape>(sky);
@@ -138,16 +143,16 @@ TEST_F(ClearSky, IsNotComputedAnewWhereOnlyTheCameraMoves) {
     return renderer().sky_bakes() - before;
   };
   const Cloudscape sky = *request.cloudscape;
-  bakes_of({{0, 0, 700}, 0, 10, 0}, sky);
-  EXPECT_EQ(bakes_of({{0, 0, 700}, 200, -30, 10}, sky), 0);
-  EXPECT_EQ(bakes_of({{5e5, -2e4, 700}, 0, 10, 0}, sky), 0);
-  EXPECT_EQ(bakes_of({{0, 0, 720}, 0, 10, 0}, sky), 0);  // the same two levels
+  bakes_of({{0, 0, 800}, 0, 10, 0}, sky);
+  EXPECT_EQ(bakes_of({{0, 0, 800}, 200, -30, 10}, sky), 0);
+  EXPECT_EQ(bakes_of({{5e5, -2e4, 800}, 0, 10, 0}, sky), 0);
+  EXPECT_EQ(bakes_of({{0, 0, 850}, 0, 10, 0}, sky), 0);  // the same two levels
   Cloudscape turned = sky;
   turned.sun.azimuth_deg = 77;
-  EXPECT_EQ(bakes_of({{0, 0, 700}, 0, 10, 0}, turned), 1);  // the directions of the light on clouds and ground
+  EXPECT_EQ(bakes_of({{0, 0, 800}, 0, 10, 0}, turned), 0);  // tables turn with the sun
   Cloudscape lower = sky;
   lower.sun.elevation_deg = 19;
-  EXPECT_EQ(bakes_of({{0, 0, 700}, 0, 10, 0}, lower), 3);  // two levels, and what lights the clouds; not the air
+  EXPECT_EQ(bakes_of({{0, 0, 800}, 0, 10, 0}, lower), 3);  // two levels, and what lights the clouds; not the air
 }
 
 // Half a degree of sky about the horizon: no stripe brighter or darker than what lies about it.

@@ -61,7 +61,7 @@ class Path {
 
   double radiance(const dvec3& start, const dvec3& direction) {
     sum_ = 0;
-    p_ = start, d_ = direction;
+    p_ = start, d_ = direction, on_ground_ = false;
     first_collision();
     go_on();
     if (!ends_on_ground_ || air_.albedo <= 0) return sum_;
