@@ -67,7 +67,9 @@ void set_moon(FrameBlock& block, const Cloudscape& sky, Light& light) {
   light.irradiance = sky.sun.irradiance * glm::dvec3(1.03, 1, 0.95) *
                      (moon.brightness * moon_of_sun(std::acos(cosine) / radians_per_degree));
   const double lit_share = std::max(0.5 * (1 + cosine), 0.01);
-  block.moon_direction = xyz_w(light.direction, moon.brightness > 0 ? squared_chord(moon.angular_radius_deg) : 0);
+  block.moon_direction =
+      xyz_w(light.direction,
+            sky.sky.kind == SkyKind::clear && moon.brightness > 0 ? squared_chord(moon.angular_radius_deg) : 0);
   block.moon_lit_from = xyz_w(lit_from, 0);
   block.moon_radiance = xyz_w(light.irradiance / (solid_angle(moon.angular_radius_deg) * lit_share), 0);
 }

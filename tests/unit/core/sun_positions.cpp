@@ -55,8 +55,9 @@ TEST(SunPosition, IsThatOfThePublishedExamples) {
   for (const Example& example : examples) {
     const HorizontalPosition sun = sun_position(day_of(example.time), example.latitude_deg, example.longitude_deg);
     EXPECT_NEAR(sun.elevation_deg, example.elevation_deg, example.tolerance_deg) << example.source;
-    if (example.azimuth_deg >= 0)
+    if (example.azimuth_deg >= 0) {
       EXPECT_NEAR(sun.azimuth_deg, example.azimuth_deg, example.tolerance_deg) << example.source;
+    }
   }
 }
 
