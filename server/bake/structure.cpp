@@ -10,7 +10,7 @@ namespace {
 using gpu::Binding, gpu::Format, gpu::Texture;
 
 Texture cells(const glm::ivec3& size, const char* label) {
-  Texture texture(Format::r32f, size.x, size.y, size.z, label);
+  Texture texture(Format::rg32f, size.x, size.y, size.z, label);
   texture.sample_with(gpu::Filter::nearest, gpu::Wrap::repeat);
   return texture;
 }

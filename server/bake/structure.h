@@ -11,10 +11,11 @@ namespace cloudscape::bake {
 class StructureBuilder {
  public:
   explicit StructureBuilder(gpu::ShaderLibrary& shaders);
-  // R32F, `baked.structure_size()` cells: the greatest shape noise that the march can find in the cell and in the cells
-  // `structure_padding` around it (wrapping east and north), where it mixes the finer channels in with `weights`. It is
-  // above the threshold wherever cloud can be within the padding, whatever the threshold. Built on the device when
-  // first asked for, and kept with the baked cloudscape for the last few weights.
+  // RG32F, `baked.structure_size()` cells. Red: the greatest shape noise that the march can find in the cell and in the
+  // cells `structure_padding` around it (wrapping east and north), where it mixes the finer channels in with `weights`.
+  // It is above the threshold wherever cloud can be within the padding, whatever the threshold. Green: the same with a
+  // layer of padding less. Built on the device when first asked for, and kept with the baked cloudscape for the last
+  // few weights.
   const gpu::Texture& of(const BakedCloudscape& baked, const std::array<double, 3>& weights) const;
 
  private:

@@ -54,9 +54,7 @@ TrackTimes run_track(const settings::CameraPath& path, const std::vector<FrameRe
                      const Draw& draw) {
   TrackTimes track = empty_times(path, variants.size(), run.frames);
   track.size_px = variants.front().size_px, track.base_march = variants.front().march;
-  for (const FrameRequest& variant : variants)
-    for (int i = 0; i < run.warm_up; ++i) draw(request_at(variant, path.keys.front()));
-  for (std::size_t frame = 0; frame < track.time_s.size(); ++frame) {
+  const auto draw_all = [&](std::size_t frame) {
     const settings::CameraPath::Key key = settings::key_at(path, track.time_s[frame]);
     FrameRequest shared_work = request_at(variants.front(), key);
     shared_work.size_px = shared_work_size;
@@ -66,6 +64,10 @@ TrackTimes run_track(const settings::CameraPath& path, const std::vector<FrameRe
       const std::size_t variant = (frame + turn) % variants.size();
       track.variants[variant].frames[frame] = draw(request_at(variants[variant], key));
     }
+  };
+  for (int round = 0; round < run.warm_up; ++round) draw_all(0);  // measured once more below
+  for (std::size_t frame = 0; frame < track.time_s.size(); ++frame) {
+    draw_all(frame);
     run.progress(static_cast<double>(frame + 1) / static_cast<double>(track.time_s.size()));
   }
   return track;

@@ -45,8 +45,8 @@ struct TrackTimes {
 
 // Renders `frames` frames, in the middles of as many equal parts of the path, once for each variant, frame by frame, so
 // that a machine that slows down slows them all; the order rotates from frame to frame. Before each a small picture
-// that is not counted fills what the variants share (the sky's tables), and before all `warm_up` frames a variant bake
-// and compile. `progress`: the share that is done.
+// that is not counted fills what the variants share (the sky's tables), and before all the first frame is drawn
+// `warm_up` times, which bakes and compiles. `progress`: the share that is done.
 using Draw = std::function<FrameSample(const FrameRequest&)>;
 struct TrackRun {
   int frames = 0, warm_up = 2;

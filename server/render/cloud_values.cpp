@@ -94,11 +94,14 @@ double longest_large_step_m(const Cloudscape& sky, const bake::BakedCloudscape& 
 }
 
 // A whole number of small steps where these have one length, so that the samples inside lie where they would without
-// the structure. 0: no large steps.
+// the structure.
+double whole_steps(double length_m, const March& march) {
+  return march.step_m ? std::floor(length_m / *march.step_m) * *march.step_m : length_m;
+}
+
+// 0: no large steps.
 double large_step_m(const March& march, double longest_m) {
-  const double wanted_m = std::min(march.large_step_m.value_or(longest_m), longest_m);
-  if (!march.structure) return 0;
-  return march.step_m ? std::floor(wanted_m / *march.step_m) * *march.step_m : wanted_m;
+  return march.structure ? whole_steps(std::min(march.large_step_m.value_or(longest_m), longest_m), march) : 0;
 }
 
 void set_march(CloudBlock& block, const FrameRequest& request, const bake::BakedCloudscape& baked) {
@@ -122,10 +125,11 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
   const double period_m = 4 * sky.shape.coverage_variation.wavelength_m;
   // How much lower the threshold can be half a large step away.
   const double slack = block.shape.z * baked.steepest_variation().threshold / period_m * 0.5 * large_m;
-  // From the last point outside, cloud is at least this far: half the longest large step.
+  // From the last point outside, cloud is at least this far: half the longest large step; from one in the outer layer
+  // of the padding the share that the other layers have of that.
   const double free_m = layer ? 0.5 * longest_large_step_m(sky, baked) : 0.0;
-  const double free_steps = march.step_m ? std::floor(free_m / *march.step_m) * *march.step_m : free_m;
-  block.structure = {large_m, slack, std::min(free_steps, large_m), 0};
+  const double inner_m = free_m * (bake::structure_padding - 1) / bake::structure_padding;
+  block.structure = {large_m, slack, whole_steps(std::min(free_m, large_m), march), whole_steps(inner_m, march)};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Bakes the unpadded structure (Olajos 2.4.2): for each cell the greatest shape noise that interpolation can give in it.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/structure_block.glsl"
-layout(binding = 0, r32f) uniform writeonly image3D target;
+layout(binding = 0, rg32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D shape_texture;
 
 // Shape (x) and what the finer channels make of it (y), the greatest of the four texels of a cube's face.

@@ -1,7 +1,8 @@
-// Pads the structure by one cell all round: east and north across the tile's edge, up and down within it.
+// Pads the structure by one cell all round: east and north across the tile's edge, up and down within it. Beside it (y) stays what it
+// was with a layer of padding less.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/structure_block.glsl"
-layout(binding = 0, r32f) uniform writeonly image3D target;
+layout(binding = 0, rg32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D unpadded;
 
 void main() {
@@ -15,5 +16,5 @@ void main() {
     if (near.z < 0 || near.z >= cells.z) continue;
     greatest = max(greatest, texelFetch(unpadded, near, 0).x);
   }
-  imageStore(target, cell, vec4(greatest));
+  imageStore(target, cell, vec4(greatest, texelFetch(unpadded, cell, 0).x, 0.0, 0.0));
 }

@@ -46,12 +46,17 @@ Land land_at(vec3 p) {
 
 float height_in_layer(vec3 p) { return (altitude_of(p) - cloud.layer.x) * cloud.layer.z; }
 
-// Whether the structure encloses a point: whether there can be cloud near it (Olajos 2.4.2). Its padding is wider than half a large
-// step, so that no cloud stands between two points outside that are a large step apart.
-bool inside_structure(vec3 p, Land land) {
+// How far outside the structure a point is (Olajos 2.4.2): outside all of its padding, which is wider than half a large step, so that no
+// cloud stands between two such points that are a large step apart; within the outer layer of it only; or near cloud.
+const int near_cloud = 0;
+const int in_outer_padding = 1;
+const int outside_structure = 2;
+
+int place_in_structure(vec3 p, Land land) {
   vec2 tile = p.xy * cloud.tile.xy + cloud.tile.zw;
-  float bound = textureLod(structure_texture, vec3(tile + land.shift, clamp(height_in_layer(p), 0.0, 1.0)), 0.0).x;
-  return bound > land.threshold - cloud.structure.y;
+  vec2 bound = textureLod(structure_texture, vec3(tile + land.shift, clamp(height_in_layer(p), 0.0, 1.0)), 0.0).xy;
+  float lowest = land.threshold - cloud.structure.y;
+  return bound.x <= lowest ? outside_structure : bound.y <= lowest ? in_outer_padding : near_cloud;
 }
 
 // Shape noise above the threshold; not above 0: no cloud. What erosion takes off it comes after.

@@ -13,7 +13,8 @@
    olajos: attenuation, in-scatter, gain, 0.
    octave_weight_low/high, octave_extinction_low/high, octave_asymmetry_low/high: of octaves 0..3 and 4..7; weight 0: unused.
    steps: small step (m), least share of the distance, greatest number, light steps. adaptive: begin (m), growth of the small step for each
-   metre beyond it, random first step?, lighting? structure: large step (m; 0: none), slack of the threshold, 0, 0.
+   metre beyond it, random first step?, lighting? structure: large step (m; 0: none), slack of the threshold, what is free
+   of cloud about a point outside, about one in its outer padding (m).
    olajos_dark, olajos_bright: rgb. march: light distance (m), view distance (m), altitudes between which there is cloud (m). */
 #define CLOUD_FIELDS(F) \
   F(vec4, layer) \

@@ -136,11 +136,13 @@ test('time runs at the chosen rate, and only when asked', async t => {
   await live(page);
   assert.equal(server.log.cameras.length, 0);
   await page.check('[name=rate][value="60"]', { force: true });
+  const start = performance.now();
   await page.click('#play');
   await page.waitForTimeout(1000);
   await page.click('#play');
+  const most_s = 60 * (performance.now() - start) / 1000;
   const { time_s } = server.log.cameras.at(-1);
-  assert.ok(time_s > 30 && time_s < 120, `${time_s} s passed`);
+  assert.ok(time_s > 30 && time_s <= most_s, `${time_s} s passed, of ${most_s} at most`);
 });
 
 test('a sky\'s name and description are text, never markup', async t => {

@@ -42,6 +42,7 @@ const View views[] = {
     {"overcast", "overcast", 24, 0.5, edges},
     {"stratocumulus-deck", "stratocumulus-deck", 24, 0.5, edges},
     {"sunset-broken", "sunset-broken", 24, 0.5, edges},
+    {"thesis", "thesis", 24, 0.5, edges},
     {"towering-congestus", "towering-congestus", 24, 0.5, edges},
     {"panorama", "fair-weather-cumulus", 24, 0.5, edges,
      [](FrameRequest& request) { request.lens.kind = LensKind::panorama; }},

@@ -118,7 +118,8 @@ double expected_glow(const std::vector<BrightPixel>& bright, double radius, doub
   return sum;
 }
 
-// Tolerance: 5 % of the peak, for Gaussians of a texel or two on levels that odd sizes have made a little uneven.
+// Tolerance: 8 % of the peak, for Gaussians of little more than a texel: where in its texel a light stands, and odd
+// sizes, shift that much between neighbours.
 TEST_F(BloomTest, HasTheProfileOfItsGaussiansAtEachSize) {
   for (const ImageSize size : sizes)
     for (const double radius : {0.05, 0.08, 0.15}) {
@@ -135,7 +136,7 @@ TEST_F(BloomTest, HasTheProfileOfItsGaussiansAtEachSize) {
         for (int step = 0; step < size.height / 4 && step * right < size.width / 2; step += 1 + size.height / 180) {
           const int px = size.width / 2 + step * right, py = std::min(size.height - 1, size.height / 2 + step * down);
           const double expected = scale * expected_glow(bright, radius, (px + 0.5) / height, (py + 0.5) / height);
-          ASSERT_NEAR(found.shown(px, py), expected, 0.05 * peak)
+          ASSERT_NEAR(found.shown(px, py), expected, 0.08 * peak)
               << size.width << "x" << size.height << ", radius " << radius << ", pixel " << px << ' ' << py;
         }
     }

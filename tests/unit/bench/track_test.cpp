@@ -116,18 +116,18 @@ TEST(TrackRun, DrawsVariantBesideVariantInTurningOrder) {
   EXPECT_TRUE(track.base_march.structure);
   EXPECT_THAT(track.sections, ElementsAre("below", "below", "", "above"));
   EXPECT_THAT(progress, ElementsAre(0.25, 0.5, 0.75, 1));
-  ASSERT_EQ(recorder.drawn.size(), 3u * 2 + 4 * (1 + 3));
+  ASSERT_EQ(recorder.drawn.size(), (2u + 4) * (1 + 3));
   std::string order;
-  for (std::size_t i = 6; i < recorder.drawn.size(); ++i) {
+  for (std::size_t i = 8; i < recorder.drawn.size(); ++i) {
     const FrameRequest& request = recorder.drawn[i];
     order += request.size_px.width < 64 ? '|' : !request.march.structure ? 's' : !request.march.lighting ? 'l' : 'b';
-    EXPECT_NEAR(request.pose.position_m.x, 10 * track.time_s[(i - 6) / 4], 1e-9);
+    EXPECT_NEAR(request.pose.position_m.x, 10 * track.time_s[(i - 8) / 4], 1e-9);
     EXPECT_EQ(request.lens.vertical_fov_deg, 60);
     EXPECT_EQ(request.first_sample, 0);
   }
   EXPECT_EQ(order, "|bsl|slb|lbs|bsl");
-  EXPECT_EQ(track.variants[0].frames[1], (FrameSample{14, 28, 42}));  // 6 warm-up, frames 7 to 10, then shared, s, l, b
-  EXPECT_EQ(track.variants[1].frames[1].wall_ms, 12);
+  EXPECT_EQ(track.variants[0].frames[1], (FrameSample{16, 32, 48}));  // 8 warm-up, frames 9 to 12, then shared, s, l, b
+  EXPECT_EQ(track.variants[1].frames[1].wall_ms, 14);
 }
 
 TEST(TrackStatistics, PairFrameWithFrame) {

@@ -131,7 +131,8 @@ TEST(SliceAtlas, HoldsAVolumeOfHalves) {
     texels.push_back(static_cast<std::uint8_t>(value.bits() & 0xff));
     texels.push_back(static_cast<std::uint8_t>(value.bits() >> 8));
   }
-  Bytes bytes(encode::slice_atlas_exr(texels, 3, 2, {}, VolumeFormat::r16f));
+  const std::vector<std::uint8_t> exr = encode::slice_atlas_exr(texels, 3, 2, {}, VolumeFormat::r16f);
+  Bytes bytes(exr);
   Imf::InputFile file(bytes);
   ASSERT_EQ(file.header().dataWindow().max.x, 5);
   std::vector<half> pixels(6 * 3);
