@@ -22,6 +22,7 @@ struct Cloudscape {
   Detail detail;
   Medium medium;
   Sun sun;
+  Moon moon;
   Sky sky;
   Ground ground;
   Wind wind;
@@ -38,6 +39,7 @@ struct Cloudscape {
     visit("detail", self.detail, Limits{}, "The fine texture that erodes the clouds' edges.");
     visit("medium", self.medium, Limits{}, "Optical properties of the cloud.");
     visit("sun", self.sun, Limits{}, "Direction and strength of the sun.");
+    visit("moon", self.moon, Limits{}, "Where the moon stands; it lights the night.");
     visit("sky", self.sky, Limits{}, "The sky behind and above the clouds.");
     visit("ground", self.ground, Limits{}, "The planet's surface.");
     visit("wind", self.wind, Limits{}, "How the clouds move with time.");

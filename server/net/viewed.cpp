@@ -59,6 +59,9 @@ void put_sun_into_view(Viewed& viewed) {
   auto moved = *viewed.document;
   moved.sun.azimuth_deg = viewed.sun_azimuth_deg.value_or(moved.sun.azimuth_deg);
   moved.sun.elevation_deg = viewed.sun_elevation_deg.value_or(moved.sun.elevation_deg);
+  const Sun& before = viewed.document->sun;
+  if (moved.sun.azimuth_deg != before.azimuth_deg || moved.sun.elevation_deg != before.elevation_deg)
+    moved.sun.place.time_utc.clear();
   if (viewed.view.cloudscape && *viewed.view.cloudscape == moved) return;
   viewed.view.cloudscape =
       moved == *viewed.document ? viewed.document : std::make_shared<const Cloudscape>(std::move(moved));

@@ -24,6 +24,10 @@ std::array<double, 3> mixing_weights(const Cloudscape& sky);
 
 // `sample`: index in the average that the frame belongs to; 0 looks through the middle of the pixel.
 FrameBlock frame_block(const FrameRequest& request, int sample);
+// Of the frame block: sun, moon, stars, and what lights the clouds.
+bool moon_lights(const Cloudscape& sky);          // whether it is the moon that lights clouds and ground
+double light_azimuth_deg(const Cloudscape& sky);  // of that or of the sun
+void set_lights(FrameBlock& block, const FrameRequest& request);
 CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape& baked);
 
 }  // namespace cloudscape::render

@@ -12,5 +12,6 @@ using glm::ivec4, glm::vec4;
 #include "shared/bloom_block.glsl"
 #include "shared/cloud_block.glsl"
 #include "shared/frame_block.glsl"
+#include "shared/sky_block.glsl"
 #include "shared/terrain_block.glsl"
 }  // namespace cloudscape::render

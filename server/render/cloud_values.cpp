@@ -143,12 +143,13 @@ CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape&
   const Cloudscape& sky = *request.cloudscape;
   const Volume& volume = sky.volume;
   const glm::dvec3 below_camera(request.pose.position_m.x, request.pose.position_m.y, 0);
+  const bool layer = volume.kind == VolumeKind::noise;
   CloudBlock block;
   block.layer = {volume.origin_m.z, volume.origin_m.z + volume.size_m.z, 1 / volume.size_m.z,
                  static_cast<int>(volume.kind)};
   block.tile = tile_of(volume, drifted(request));
   block.box_low = xyz_w(volume.origin_m - below_camera, volume.tiling);
-  block.box_high = xyz_w(volume.origin_m + volume.size_m - below_camera, 0);
+  block.box_high = xyz_w(volume.origin_m + volume.size_m - below_camera, layer ? sky.shape.coverage : 0);
   set_shape(block, request, baked);
   const Medium& medium = sky.medium;
   block.medium = {medium.extinction_per_m, medium.extinction_per_m * medium.single_scattering_albedo, medium.ambient,

@@ -23,16 +23,6 @@ glm::dvec2 subpixel_offset(int sample) {
   return {wrapped(0.5 + 0.7548776662466927 * sample, 1) - 0.5, wrapped(0.5 + 0.5698402909980532 * sample, 1) - 0.5};
 }
 
-double squared_chord(double angle_deg) {
-  const double half_chord = std::sin(0.5 * angle_deg * radians_per_degree);
-  return 4 * half_chord * half_chord;
-}
-
-// The solid angle of a disc is pi times the square of its radius' chord.
-double disc_per_solid_angle(const Sun& sun) {
-  return sun.disc ? 1 / (std::numbers::pi * squared_chord(sun.angular_radius_deg)) : 0;
-}
-
 }  // namespace
 
 glm::dvec3 direction_of(double azimuth_deg, double elevation_deg) {
@@ -53,7 +43,7 @@ FrameBlock frame_block(const FrameRequest& request, int sample) {
   const Cloudscape& sky = *request.cloudscape;
   const CameraAxes axes = camera_axes(request.pose);
   const glm::dvec2 offset = subpixel_offset(sample);
-  FrameBlock block;
+  FrameBlock block{};
   block.camera_right = xyz_w(axes.right, 0);
   block.camera_up = xyz_w(axes.up, 0);
   block.camera_forward = xyz_w(axes.forward, request.pose.position_m.z);
@@ -62,17 +52,16 @@ FrameBlock frame_block(const FrameRequest& request, int sample) {
   block.size = {request.size_px.width, request.size_px.height, static_cast<int>(request.lens.kind),
                 request.quality.march_divisor};
   block.sample_info = {sample, 0, 0, request.display.dither};
-  block.sun_direction =
-      xyz_w(direction_of(sky.sun.azimuth_deg, sky.sun.elevation_deg), squared_chord(sky.sun.angular_radius_deg));
-  block.sun_irradiance = xyz_w(sky.sun.irradiance, disc_per_solid_angle(sky.sun));
   block.sky = xyz_w(sky.sky.radiance, static_cast<double>(sky.sky.kind));
-  block.atmosphere = {sky.sky.haze, 0, 0, 0};
+  block.atmosphere = {sky.sky.rayleigh, sky.sky.haze, sky.sky.ozone, sky.sky.aerosol_scale_m};
+  block.aerosol = {sky.sky.aerosol_asymmetry_g, 0, 0, 0};
   block.ground_albedo = xyz_w(sky.ground.albedo, sky.ground.variation);
   block.ground = {static_cast<int>(sky.ground.kind), wrapped(request.pose.position_m.x, ground_period_m),
                   wrapped(request.pose.position_m.y, ground_period_m), 0};
   block.display = {std::exp2(request.display.exposure_ev), static_cast<int>(request.display.tone_curve),
                    request.display.bloom_strength, request.display.bloom_threshold};
-  block.accumulation = {1.0 / (sample + 1), request.quality.float32 ? largest_float : largest_half, 0, 0};
+  block.accumulation = {1.0 / (sample + 1), request.quality.float32 ? largest_float : largest_half, 1, 0};
+  set_lights(block, request);
   return block;
 }
 

@@ -21,7 +21,7 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
                    int row_end) const {
   const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
-  const Binding tables[] = {{8, &sky.transmittance}, {9, &sky.view}, {10, &sky.light}};
+  const Binding tables[] = {{8, &sky.air->transmittance}, {10, &sky.lights->light}, {14, &sky.view->aerial}};
   const Binding all_textures[] = {{0, &medium.baked.shape()},
                                   {1, &medium.baked.detail()},
                                   {2, &medium.baked.variation()},
@@ -30,10 +30,12 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
                                   tables[0],
                                   tables[1],
                                   tables[2],
+                                  {6, &sky.lights->cloud_sun},
                                   {5, medium.phase}};
   const auto textures = std::span(all_textures).first(std::size(all_textures) - (medium.phase ? 0 : 1));
   std::vector<Binding> scene_textures(medium.land.begin(), medium.land.end());
   scene_textures.insert(scene_textures.end(), std::begin(tables), std::end(tables));
+  scene_textures.insert(scene_textures.end(), {{7, &sky.view->aerosol}, {9, &sky.view->even}});
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);

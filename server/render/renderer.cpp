@@ -110,7 +110,7 @@ void Renderer::render_rows(RenderJob& job) {
   cloud_block_.upload(cloud);
   frame_block_.bind();
   cloud_block_.bind();
-  const SkyTables::Set& sky = sky_.get(frame, cloud);
+  const SkyTables::Set sky = sky_.get(frame, cloud);
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
   const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
   const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;

@@ -57,6 +57,7 @@ class Renderer {
   std::vector<StreamId> remembered() const;  // streams that something is kept for
   void reload_shaders();
   std::size_t history_bytes() const;
+  int sky_bakes() const { return sky_.bakes(); }  // tables of the sky computed so far
 
  private:
   struct History {

@@ -1,16 +1,31 @@
 #include "render/sky_tables.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cloudscape::render {
 namespace {
 
 using gpu::Binding, gpu::Format, gpu::Texture;
 
-constexpr std::size_t most_sets = 8;  // tuned: streams of one sky share a set only while their cameras are equally high
+// tuned: streams of one sky share its tables, and those at one altitude share all.
+constexpr std::size_t most_airs = 4, most_levels = 16, most_views = 8, most_lights = 8;
+constexpr int orders_after_the_first = 2;  // tuned: one more changes no channel by half a hundredth
 
-Texture table(Format format, int width, int height, const char* label) {
-  Texture texture(format, width, height, label);
+// As in shaders/render/air.glsl.
+constexpr int transmittance_width = 256, transmittance_height = 64, multiple_side = 32, view_width = 48,
+              view_height = 56, aerial_width = 24, aerial_height = 32, aerial_depth = 3 * 24, cloud_sun_width = 64,
+              cloud_sun_height = 16;
+constexpr int light_entries = 8, rays = 8 * 16, ray_rows = 2;  // render/light_directions.glsl
+
+Texture table(int width, int height, const char* label) {
+  Texture texture(Format::rgba32f, width, height, label);
+  texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
+  return texture;
+}
+
+Texture aerial_table() {
+  Texture texture(Format::rgba32f, aerial_width, aerial_height, aerial_depth, "aerial perspective");
   texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
   return texture;
 }
@@ -22,47 +37,133 @@ std::string bytes_of(const Values&... values) {
   return bytes;
 }
 
-std::string key_of(const FrameBlock& frame, const CloudBlock& cloud) {
-  return bytes_of(frame.camera_forward.w, frame.sun_direction, frame.sun_irradiance, frame.sky, frame.atmosphere,
-                  frame.ground_albedo, frame.ground.x, cloud.layer.x, cloud.layer.y);
+std::string air_key(const FrameBlock& frame) {
+  const glm::vec3 albedo = frame.ground.x > 0 ? glm::vec3(frame.ground_albedo) : glm::vec3(0);
+  return bytes_of(frame.atmosphere, frame.aerosol, albedo, frame.light_direction.w);
 }
+
+// The sky turns with its light, so that with one light its azimuth does not matter.
+std::string sky_key(const FrameBlock& frame) {
+  const vec4& light = frame.light_direction;
+  std::string key = air_key(frame) + bytes_of(light.z, frame.light_irradiance, frame.sample_info.z);
+  if (frame.sample_info.z > 1) key += bytes_of(light, frame.second_direction, frame.second_irradiance);
+  return key;
+}
+
+std::string lights_key(const FrameBlock& frame, const CloudBlock& cloud) {
+  return sky_key(frame) + bytes_of(cloud.layer, cloud.box_high.w, frame.sky, frame.night, frame.ground.x);
+}
+
+void run(const gpu::ScreenPass& pass, std::initializer_list<const Texture*> targets,
+         std::initializer_list<Binding> textures) {
+  const Texture& first = **targets.begin();
+  pass.run({0, 0, first.width(), first.height()}, {targets.begin(), targets.size()},
+           {textures.begin(), textures.size()});
+}
+
+constexpr double first_rung_m = 62.5, rung_ratio = 1.25;
 
 }  // namespace
 
-SkyTables::SkyTables(const gpu::Context& context, gpu::ShaderLibrary& shaders)
-    : transmittance_(context, shaders, "render/sky_transmittance.glsl", {Format::rgba16f}),
-      view_(context, shaders, "render/sky_view.glsl", {Format::rgba16f}),
-      light_(context, shaders, "render/sky_light.glsl", {Format::rgba32f}) {}
+double level_altitude_m(int level) { return first_rung_m * (std::pow(rung_ratio, level) - 1) / (rung_ratio - 1); }
 
-const SkyTables::Set& SkyTables::get(const FrameBlock& frame, const CloudBlock& cloud) {
-  const std::string key = key_of(frame, cloud);
-  auto found = std::find_if(sets_.begin(), sets_.end(), [&](const Set& set) { return set.key == key; });
-  if (found == sets_.end()) {
-    if (sets_.size() < most_sets) {
-      sets_.push_back({"", table(Format::rgba16f, 64, 64, "sky transmittance"),
-                       table(Format::rgba16f, 96, 96, "sky view"), table(Format::rgba32f, 6, 1, "sky light")});
-    }
-    found = std::prev(sets_.end());
-    found->key = key;
-    compute(*found);
-  }
-  sets_.splice(sets_.begin(), sets_, found);
-  return sets_.front();
+int level_below(double altitude_m) {
+  const double rungs = std::log1p(std::max(altitude_m, 0.0) * (rung_ratio - 1) / first_rung_m) / std::log(rung_ratio);
+  return static_cast<int>(std::floor(rungs));
 }
 
-void SkyTables::compute(Set& set) const {
-  const Binding tables[] = {{8, &set.transmittance}, {9, &set.view}};
-  const Texture* transmittance[] = {&set.transmittance};
-  const Texture* view[] = {&set.view};
-  const Texture* light[] = {&set.light};
-  transmittance_.run({0, 0, 64, 64}, transmittance, {});
-  view_.run({0, 0, 96, 96}, view, std::span(tables).first(1));
-  light_.run({0, 0, 6, 1}, light, tables);
+SkyTables::SkyTables(const gpu::Context& context, gpu::ShaderLibrary& shaders)
+    : transmittance_(context, shaders, "render/sky_transmittance.glsl", {Format::rgba32f}),
+      multiple_(context, shaders, "render/sky_multiple.glsl", {Format::rgba32f}),
+      view_(context, shaders, "render/sky_view.glsl", {Format::rgba32f, Format::rgba32f}),
+      view_blend_(context, shaders, "render/sky_view_blend.glsl", {Format::rgba32f, Format::rgba32f}),
+      rays_(context, shaders, "render/sky_rays.glsl", {Format::rgba32f, Format::rgba32f}),
+      light_(context, shaders, "render/sky_light.glsl", {Format::rgba32f}),
+      cloud_sun_(context, shaders, "render/sky_cloud_sun.glsl", {Format::rgba32f}),
+      aerial_(shaders, "render/sky_aerial.comp"),
+      aerial_blend_(shaders, "render/sky_aerial_blend.comp"),
+      block_("sky"),
+      airs_(most_airs),
+      levels_(most_levels),
+      views_(most_views),
+      lights_(most_lights) {}
+
+SkyTables::Set SkyTables::get(const FrameBlock& frame, const CloudBlock& cloud) {
+  Set set;
+  set.air = airs_.get(air_key(frame), [&] { return make_air(); });
+  set.lights = lights_.get(lights_key(frame, cloud), [&] { return make_lights(*set.air); });
+  const double altitude_m = std::max(0.0, double(frame.camera_forward.w));
+  const std::string sky = sky_key(frame);
+  set.view = views_.get(sky + bytes_of(altitude_m), [&] {
+    const int level = level_below(altitude_m);
+    const double low_m = level_altitude_m(level), high_m = level_altitude_m(level + 1);
+    const auto at = [&](int rung) {
+      return levels_.get(sky + bytes_of(rung), [&] { return make_level(*set.air, rung); });
+    };
+    const auto lower = at(level), upper = at(level + 1);
+    return blend(*lower, *upper, std::clamp((altitude_m - low_m) / (high_m - low_m), 0.0, 1.0));
+  });
+  return set;
+}
+
+void SkyTables::set_block(double altitude_m, double share, bool first_order) {
+  block_.upload({{altitude_m, share, first_order, 0}});
+  block_.bind();
+}
+
+SkyTables::Air SkyTables::make_air() {
+  ++bakes_;
+  Air air{table(transmittance_width, transmittance_height, "sky transmittance"),
+          table(multiple_side, multiple_side, "sky multiple scattering")};
+  Texture other = table(multiple_side, multiple_side, "sky multiple scattering");
+  run(transmittance_, {&air.transmittance}, {});
+  for (int order = 0; order <= orders_after_the_first; ++order) {
+    set_block(0, 0, order == 0);
+    run(multiple_, {&air.multiple}, {{8, &air.transmittance}, {9, &other}});
+    std::swap(air.multiple, other);
+  }
+  std::swap(air.multiple, other);
+  return air;
+}
+
+SkyTables::View SkyTables::make_level(const Air& air, int level) {
+  ++bakes_;
+  View view{table(view_width, view_height, "sky view"), table(view_width, view_height, "sky view of aerosol"),
+            aerial_table()};
+  const Binding tables[] = {{8, &air.transmittance}, {9, &air.multiple}};
+  set_block(level_altitude_m(level), 0, false);
+  run(view_, {&view.even, &view.aerosol}, {tables[0], tables[1]});
+  aerial_.run(view.aerial, 0, 1, tables);  // one invocation writes all slices
+  return view;
+}
+
+SkyTables::View SkyTables::blend(const View& lower, const View& upper, double share) {
+  View view{table(view_width, view_height, "sky view"), table(view_width, view_height, "sky view of aerosol"),
+            aerial_table()};
+  set_block(0, share, false);
+  run(view_blend_, {&view.even, &view.aerosol},
+      {{0, &lower.even}, {1, &upper.even}, {2, &lower.aerosol}, {3, &upper.aerosol}});
+  const Binding levels[] = {{0, &lower.aerial}, {1, &upper.aerial}};
+  aerial_blend_.run(view.aerial, 0, aerial_depth, levels);
+  return view;
+}
+
+SkyTables::Lights SkyTables::make_lights(const Air& air) {
+  ++bakes_;
+  Lights lights{table(light_entries, 1, "sky light"), table(cloud_sun_width, cloud_sun_height, "sun at the clouds")};
+  const Texture around = table(rays, ray_rows, "sky about the clouds"), through = table(rays, ray_rows, "air below");
+  run(rays_, {&around, &through}, {{8, &air.transmittance}, {9, &air.multiple}});
+  run(light_, {&lights.light}, {{0, &around}, {1, &through}, {8, &air.transmittance}});
+  run(cloud_sun_, {&lights.cloud_sun}, {{8, &air.transmittance}});
+  return lights;
 }
 
 void SkyTables::reload(gpu::ShaderLibrary& shaders) {
-  for (gpu::ScreenPass* pass : {&transmittance_, &view_, &light_}) pass->reload(shaders);
-  sets_.clear();
+  for (gpu::ScreenPass* pass : {&transmittance_, &multiple_, &view_, &view_blend_, &rays_, &light_, &cloud_sun_})
+    pass->reload(shaders);
+  aerial_ = gpu::VolumePass(shaders, "render/sky_aerial.comp");
+  aerial_blend_ = gpu::VolumePass(shaders, "render/sky_aerial_blend.comp");
+  airs_.clear(), levels_.clear(), views_.clear(), lights_.clear();
 }
 
 }  // namespace cloudscape::render

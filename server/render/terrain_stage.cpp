@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/block_values.h"
+
 namespace cloudscape::render {
 namespace {
 
@@ -37,7 +39,7 @@ bool TerrainStage::prepare(const FrameRequest& request, Land& land) {
 
 bool TerrainStage::cast_shadows(const FrameRequest& request, Land& land) {
   const std::string key =
-      bake::terrain_key(land.terrain->recipe()) + " " + std::to_string(request.cloudscape->sun.azimuth_deg);
+      bake::terrain_key(land.terrain->recipe()) + " " + std::to_string(light_azimuth_deg(*request.cloudscape));
   auto found = std::ranges::find(shadows_, key, &Shadows::key);
   if (found == shadows_.end()) {
     if (shadows_.size() >= most_shadows) shadows_.pop_back();

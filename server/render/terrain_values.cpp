@@ -43,7 +43,7 @@ TerrainBlock terrain_block(const FrameRequest& request, const bake::BakedTerrain
   glm::dvec2 at = -corner_m / spacing_m;
   if (terrain.tiling) at = {wrapped(at.x, side), wrapped(at.y, side)};
   const glm::dvec2 width = pixel_widths(request);
-  const glm::dvec3 towards_sun = direction_of(sun.azimuth_deg, 0);
+  const glm::dvec3 towards_sun = direction_of(light_azimuth_deg(*request.cloudscape), 0);
   TerrainBlock block;
   block.lattice = {1 / spacing_m, spacing_m, at.x, at.y};
   block.size = {side, baked.heights().levels() - 1, terrain.tiling, 0};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/bake_size.h"
+#include "core/sun_position.h"
 #include "settings/cloudscape_reader.h"
 #include "settings/described_json.h"
 #include "settings/described_schema.h"
@@ -36,12 +37,18 @@ void check_height_map(const std::string& name, const std::string& pointer) {
     refuse(pointer, name, "the bare name of a .png or .exr file in the folder of height maps, or empty");
 }
 
+void check_time(const std::string& time_utc, const std::string& pointer) {
+  if (!time_utc.empty() && !julian_day(time_utc))
+    refuse(pointer, time_utc, "a time from 1901 to 2099 such as 2026-06-21T12:00:00Z, or empty");
+}
+
 nlohmann::ordered_json document_schema() { return schema<Root>("urn:cloudscape:document:1", "Cloudscape document"); }
 
 }  // namespace
 
 void check(const Cloudscape& cloudscape, const std::string& pointer) {
   check_height_map(cloudscape.ground.terrain.height_map, pointer + "/ground/terrain/height_map");
+  check_time(cloudscape.sun.place.time_utc, pointer + "/sun/place/time_utc");
   if (cloudscape.volume.kind != VolumeKind::noise) return;
   for (std::size_t i = 0; i < cloudscape.noise.channels.size(); ++i) {
     const NoiseChannel& channel = cloudscape.noise.channels[i];
@@ -68,6 +75,7 @@ Cloudscape read_cloudscape(const nlohmann::json& json, const std::string& pointe
   Root root;
   read(json, root, pointer);
   check(root.cloudscape, pointer);
+  place_sun_and_moon(root.cloudscape);
   return root.cloudscape;
 }
 

@@ -49,7 +49,10 @@ struct StillImage {
 struct StillSun {
   Sun sun;
 
-  static void fields(auto& self, auto&& visit) { each_angle(self.sun, visit); }
+  static void fields(auto& self, auto&& visit) {
+    each_angle(self.sun, visit);
+    visit("place", self.sun.place, Limits{}, "Place and time that the sun stands by, instead of by angles.");
+  }
   // The sun's two angles as the sun describes them.
   static void each_angle(auto& sun, auto&& visit) {
     Sun::fields(sun, [&](std::string_view name, auto& member, const Limits& limits, std::string_view meaning) {

@@ -5,6 +5,7 @@
 
 #include "core/content_hash.h"
 #include "core/march_steps.h"
+#include "core/sun_position.h"
 #include "settings/cloudscape_reader.h"
 #include "settings/described_json.h"
 #include "settings/still_body.h"
@@ -84,10 +85,26 @@ void check_limits(const FrameRequest& request, const std::string& prefix, const 
                                             "or light_steps");
 }
 
-// The cloudscape with what the request changes of it; itself where that is nothing.
-std::shared_ptr<const Cloudscape> as_asked(const std::shared_ptr<const Cloudscape>& cloudscape, const StillBody& body) {
+// The sun stands by the place and time that the request names, else by its angles, else as the document says.
+void place_sun(Cloudscape& changed, StillBody& body, const std::string& where) {
+  Sun& sun = body.sun.sun;
+  const bool placed = !(sun.place == changed.sun.place);
+  if (placed && sun.place.time_utc.empty())
+    throw InvalidInput(where, "is missing: a place needs a time, such as 2026-06-21T12:00:00Z");
+  if (placed && !julian_day(sun.place.time_utc))
+    refuse(where, sun.place.time_utc, "a time from 1901 to 2099 such as 2026-06-21T12:00:00Z");
+  const bool turned = sun.azimuth_deg != changed.sun.azimuth_deg || sun.elevation_deg != changed.sun.elevation_deg;
+  if (turned && !placed) sun.place.time_utc.clear();
+  changed.sun = sun;
+  if (placed) place_sun_and_moon(changed);
+  sun = changed.sun;
+}
+
+// The cloudscape with what the request changes of it; itself where that is nothing. `prefix` as below.
+std::shared_ptr<const Cloudscape> as_asked(const std::shared_ptr<const Cloudscape>& cloudscape, StillBody& body,
+                                           const std::string& prefix) {
   auto changed = std::make_shared<Cloudscape>(*cloudscape);
-  changed->sun = body.sun.sun;
+  place_sun(*changed, body, prefix == "/" ? "/time_utc" : "/sun/place/time_utc");
   changed->medium.phase = body.medium.phase;
   changed->medium.light_function = body.medium.light_function;
   return *changed == *cloudscape ? cloudscape : changed;
@@ -106,7 +123,7 @@ StillRequest finish(const std::shared_ptr<const Cloudscape>& cloudscape, StillBo
   settle(body.image);
   check_bake(*cloudscape, limits.max_bake_mib, "/cloudscape");
   StillRequest request;
-  request.frame.cloudscape = as_asked(cloudscape, body);
+  request.frame.cloudscape = as_asked(cloudscape, body, prefix);
   request.frame.pose = body.camera.pose;
   request.frame.lens = body.camera.lens;
   request.frame.display = body.image.display;
@@ -192,7 +209,8 @@ void apply(const Parameters& parameters, StillBody& body) {
 std::string default_text(const std::string& path, const std::string& own) {
   const auto shown_as = field_names<Display>();
   const std::string name = path.substr(path.rfind('/') + 1);
-  if (path.starts_with("/sun/")) return "the cloudscape's sun";
+  if (path.starts_with("/sun/"))
+    return path.starts_with("/sun/place/") ? "the cloudscape's place" : "the cloudscape's sun";
   if (path.starts_with("/medium/")) return "the cloudscape's medium";
   if (path.starts_with("/camera/") || path.starts_with("/march/") ||
       std::find(shown_as.begin(), shown_as.end(), name) != shown_as.end())

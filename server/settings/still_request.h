@@ -33,8 +33,8 @@ double gigasteps_of(const FrameRequest& request);
 using Parameters = std::vector<std::pair<std::string, std::string>>;  // decoded, in order
 
 // cloudscape (required without `still`), still, position=E,N,U, azimuth_deg, elevation_deg, roll_deg, vertical_fov_deg,
-// lens, width_m, width, height, quality, samples, time_s, sun_azimuth_deg, sun_elevation_deg, exposure_ev, tone_curve,
-// dither, format, jpeg_quality, exr_type. What is absent comes from the still that `still` names, if it does, from the
+// lens, width_m, width, height, quality, samples, time_s, sun_azimuth_deg, sun_elevation_deg, latitude_deg,
+// longitude_deg, time_utc, exposure_ev, tone_curve, dither, format, jpeg_quality, exr_type. What is absent comes from the still that `still` names, if it does, from the
 // document's `view`, then 640x360, standard, time 0, jpeg, 90, half. Throws InvalidInput (pointer "/name"; unknown or
 // repeated parameter too), NotFound (cloudscape, still), OverLimit.
 StillRequest still_from_parameters(const Parameters& parameters, const CloudscapeLibrary& library,
@@ -46,7 +46,7 @@ StillRequest still_from_document(const StillDocument& document, const Parameters
 
 // {"title", "description", "cloudscape": name or document, "camera": {position_m, azimuth_deg, ..., lens: {...}},
 // "image": {width, height, quality, samples, time_s, exposure_ev, tone_curve, dither, format, jpeg_quality, exr_type},
-// "sun": {azimuth_deg, elevation_deg}}
+// "sun": {azimuth_deg, elevation_deg, place: {latitude_deg, longitude_deg, time_utc}}}
 StillRequest still_from_json(std::string_view body, const CloudscapeLibrary& library, const StillLimits& limits);
 
 // The query's parameters, for the OpenAPI document and the command line.

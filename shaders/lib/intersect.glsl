@@ -47,4 +47,10 @@ vec2 intersect_altitude(vec3 origin, vec3 direction, float surface_altitude_m) {
 float altitude_of(vec3 position) {
   return position.z + (position.x * position.x + position.y * position.y) / (2.0 * (planet_radius_m + position.z));
 }
+
+// The same at any distance, to some metres.
+float altitude_far_of(vec3 position) {
+  float z = position.z + planet_radius_m;
+  return sqrt(position.x * position.x + position.y * position.y + z * z) - planet_radius_m;
+}
 #endif

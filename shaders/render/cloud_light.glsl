@@ -5,6 +5,7 @@
 #include "render/sky.glsl"
 #include "render/phase_table.glsl"
 #include "lib/transport.glsl"
+layout(binding = 6) uniform sampler2D cloud_sun_table;
 
 const int light_single = 0;
 const int light_olajos = 1;
@@ -20,7 +21,7 @@ float light_distance_m(float begin_m, float end_m, float i, float jitter) {
 // places the samples in their steps: what few samples miss becomes noise, which averages out, and not contours. `land` is that of
 // p: it hardly changes over the way to the sun.
 float sun_optical_depth(vec3 p, Land land, float jitter) {
-  vec3 sun = frame.sun_direction.xyz;
+  vec3 sun = frame.light_direction.xyz;
   Stretch path = medium_stretch(p, sun);
   float end_m = min(path.end, cloud.march.x);
   if (end_m <= path.begin) return 0.0;
@@ -51,7 +52,7 @@ float sun_optical_depth(vec3 p, Land land, float jitter) {
 struct RayLight {
   vec3 phase;                      // of the first order, by colour
   vec4 octaves_low, octaves_high;  // of the others: weight times phase
-  vec3 sun_bottom, sun_top, sky, ground;
+  vec3 above, beside, below;       // of sky and ground, as far as it is scattered towards the camera
 };
 
 float octave_phase(float cos_theta, float broadening) {
@@ -62,20 +63,39 @@ vec4 octave_phases(float cos_theta, vec4 broadening) {
               octave_phase(cos_theta, broadening.z), octave_phase(cos_theta, broadening.w));
 }
 
+// Light of a part of the sphere goes on in its own direction rather than back: a phase function of two terms, (1 + 3 g cos) / 4 pi,
+// which is never negative up to g = 1/3. tuned: what is left of the droplets' asymmetry after some orders.
+float ambient_asymmetry() {
+  bool directed = cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie;
+  return directed ? clamp(0.4 * cloud.phase.x, -0.33, 0.33) : 0.0;
+}
+// `solid_angle`: the part's share of the sphere. `cosine`: mean of that between its directions and the view ray's. All weights add up to 1.
+float ambient_weight(float solid_angle, float cosine, float g) { return solid_angle * (1.0 + 3.0 * g * cosine); }
+
 RayLight ray_light(vec3 direction) {
   RayLight light;
-  float cos_theta = dot(direction, frame.sun_direction.xyz);
+  float cos_theta = dot(direction, frame.light_direction.xyz);
   bool table = int(cloud.medium.w) == phase_mie;
-  light.phase = table ? mie_phase(direction, frame.sun_direction.xyz) : vec3(octave_phase(cos_theta, 1.0));
+  light.phase = table ? mie_phase(direction, frame.light_direction.xyz) : vec3(octave_phase(cos_theta, 1.0));
   light.octaves_low = vec4(0.0, cloud.octave_weight_low.yzw) * octave_phases(cos_theta, cloud.octave_asymmetry_low);
   light.octaves_high = vec4(0.0);
   if (cloud.octave_weight_high.x > 0.0)
     light.octaves_high = cloud.octave_weight_high * octave_phases(cos_theta, cloud.octave_asymmetry_high);
-  light.sun_bottom = sun_irradiance_at_bottom();
-  light.sun_top = sun_irradiance_at_top();
-  light.sky = sky_mean_radiance();
-  light.ground = ground_radiance();
+  vec2 azimuth = from_light_azimuth(direction.xy);
+  float g = ambient_asymmetry();
+  light.above = surroundings(0) * ambient_weight(0.25, 0.75 * direction.z, g);
+  light.below = surroundings(5) * ambient_weight(0.5, -0.5 * direction.z, g);
+  light.beside = surroundings(1) * ambient_weight(0.0625, 0.87 * azimuth.x + 0.25 * direction.z, g) +
+                 surroundings(2) * ambient_weight(0.0625, 0.87 * azimuth.y + 0.25 * direction.z, g) +
+                 surroundings(3) * ambient_weight(0.0625, -0.87 * azimuth.x + 0.25 * direction.z, g) +
+                 surroundings(4) * ambient_weight(0.0625, -0.87 * azimuth.y + 0.25 * direction.z, g);
   return light;
+}
+
+// Irradiance by the sun or the moon at p, height h (0..1) in the layer.
+vec3 sun_at(vec3 p, float h) {
+  float towards = dot(frame.light_direction.xy, p.xy) * (0.5 / (planet_radius_m * cloud_sun_span));
+  return textureLod(cloud_sun_table, vec2(table_u(0.5 + towards, cloud_sun_size.x), table_u(h, cloud_sun_size.y)), 0.0).xyz;
 }
 
 // Sunlight scattered towards the camera per unit of irradiance, 1/sr.
@@ -92,18 +112,19 @@ vec3 sun_scatter(RayLight light, float optical_depth) {
   return light.phase * beams.x + vec3(sum);
 }
 
-// Mean radiance that arrives from sky and ground at height h (0..1) in the medium. tuned: the sky is hidden by the cloud above
-// and the ground by the cloud below, in proportion to the height.
+// Light of sky and ground scattered towards the camera at height h (0..1) in the medium. tuned: the sky is hidden by the cloud above,
+// the horizon by the cloud beside and the ground by the cloud below, in proportion to the height.
 vec3 ambient(RayLight light, float h) {
-  float sky_share = mix(0.3, 1.0, smoothstep(0.0, 1.0, h));
-  float ground_share = (1.0 - h) * (1.0 - h);
-  return cloud.medium.z * 0.5 * (light.sky * sky_share + light.ground * ground_share);
+  float above = mix(0.3, 1.0, smoothstep(0.0, 1.0, h));
+  float beside = mix(0.5, 0.9, h);
+  float below = (1.0 - h) * (1.0 - h);
+  return cloud.medium.z * (light.above * above + light.beside * beside + light.below * below);
 }
 
 // Radiance scattered per metre at density 1.
 vec3 source_radiance(RayLight light, vec3 p, Land land, float jitter) {
   float h = clamp(height_in_layer(p), 0.0, 1.0);
-  vec3 sun = mix(light.sun_bottom, light.sun_top, h);
+  vec3 sun = sun_at(p, h);
   // tuned: without lighting all of the cloud is as bright as a white diffuse surface that the sun strikes at 60 degrees.
   vec3 scatter = vec3(0.5 / pi);
   if (lighting()) scatter = sun_scatter(light, sun_optical_depth(p, land, jitter));

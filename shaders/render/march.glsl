@@ -136,12 +136,12 @@ March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmitta
 
 // Beam and diffuse light together: transmittance of a conservative slab by the two-stream equations (Bohren 1987).
 float ground_visibility(CameraRay ray, float distance_m, float jitter) {
-  if (frame.sun_direction.z <= 0.02 || volume_kind() != volume_noise) return 1.0;
+  if (frame.light_direction.z <= 0.02 || volume_kind() != volume_noise) return 1.0;
   bool directed = cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie;
   float g = directed ? max(cloud.phase.x, 0.0) : 0.0;
   vec3 p = ray.origin + ray.direction * distance_m;
   // The clouds that shade it stand where the sun is, not above it.
-  vec3 above = p + frame.sun_direction.xyz * (cloud.march.z / max(frame.sun_direction.z, 0.05));
+  vec3 above = p + frame.light_direction.xyz * (cloud.march.z / max(frame.light_direction.z, 0.05));
   float optical_depth = sun_optical_depth(p, land_at(above), jitter);
   return 1.0 / (1.0 + 0.75 * (1.0 - g) * optical_depth);
 }
@@ -157,11 +157,12 @@ PassOutput shade(ivec2 march_pixel) {
   if (ray.valid == 0.0 || path.end <= path.begin || cloud.medium.x <= 0.0)
     return PassOutput(vec4(0.0, 0.0, 0.0, 1.0), vec4(no_hit_m, visibility, 0.0, 0.0));
   // The sun's disc is 20,000 times brighter than a cloud: before it even thin remainders of it can be seen.
-  float stop = dot(ray.direction, frame.sun_direction.xyz) > 0.9995 ? 1.0e-6 : 0.003;
+  float stop = dot(ray.direction, frame.light_direction.xyz) > 0.9995 ? 1.0e-6 : 0.003;
   March march = march_ray(ray, path, step_jitter(march_pixel), stop);
   if (march.weight <= 0.0) return PassOutput(vec4(0.0, 0.0, 0.0, 1.0), vec4(no_hit_m, visibility, 0.0, 0.0));
   float distance_m = march.weighted_distance_m / march.weight;
-  Air air = air_to(ray.direction, distance_m, altitude_of(ray.origin + ray.direction * distance_m));
+  Air air = air_to(ray.direction, distance_m);
   vec3 radiance = march.radiance * air.transmittance + (1.0 - march.transmittance) * air.in_scatter;
+  radiance = min(radiance * frame.accumulation.z, vec3(frame.accumulation.y));
   return PassOutput(vec4(radiance, march.transmittance), vec4(distance_m, visibility, 0.0, 0.0));
 }

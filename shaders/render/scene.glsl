@@ -2,40 +2,43 @@
 // The scene without clouds: sky, sun's disc, curved ground or terrain. Target 0: radiance, and the share of it that is direct sunlight (so
 // that cloud shadows can be taken off later). Target 1: distance along the ray, m; no_hit_m for sky.
 #include "render/camera.glsl"
+#include "render/sky_above.glsl"
 #include "render/terrain.glsl"
 
+const float ground_plain = 1.0;
 const float ground_terrain = 2.0;
 
-// By the chord: the cosine of a small angle has too few digits in 32 bits.
-vec3 sun_disc(vec3 direction) {
-  vec3 chord = direction - frame.sun_direction.xyz;
-  if (dot(chord, chord) > frame.sun_direction.w || frame.sun_irradiance.w <= 0.0) return vec3(0.0);
-  vec3 through = sky_kind() == sky_clear ? space_transmittance(camera_altitude_m(), direction.z) : vec3(1.0);
-  return frame.sun_irradiance.xyz * frame.sun_irradiance.w * through;
-}
-
-PassOutput ground(CameraRay ray, float distance_m) {
+Surface plain_surface(CameraRay ray, float distance_m) {
   vec3 p = ray.origin + ray.direction * distance_m;
   float pixel_angle = frame.size.z == 0 ? 2.0 * frame.lens.x / float(frame.size.y) : 2.0 / float(frame.size.y);
   float footprint_m = distance_m * pixel_angle / max(0.02, abs(ray.direction.z));
   vec3 albedo = frame.ground_albedo.xyz * ground_tint(p.xy + frame.ground.yz, footprint_m, frame.ground_albedo.w);
-  vec3 direct = albedo / pi * sun_irradiance_at_ground();
-  vec3 diffuse = albedo / pi * sky_irradiance();
-  Air air = air_to(ray.direction, distance_m, 0.0);
-  vec3 radiance = (direct + diffuse) * air.transmittance + air.in_scatter;
-  float direct_share = dot(direct * air.transmittance, vec3(1.0)) / max(dot(radiance, vec3(1.0)), 1.0e-6);
-  return PassOutput(vec4(radiance, direct_share), vec4(distance_m));
+  vec3 up = normalize(vec3(p.xy, p.z + planet_radius_m));
+  float mu = dot(up, frame.light_direction.xyz);
+  return Surface(albedo / pi * light_at(0.0, mu) * max(mu, 0.0), albedo / pi * sky_irradiance());
 }
 
 PassOutput shade(ivec2 pixel) {
   CameraRay ray = camera_ray(vec2(pixel) + 0.5);
   if (ray.valid == 0.0) return PassOutput(vec4(0.0), vec4(0.0));
-  if (frame.ground.x == ground_terrain) {
-    float distance_m = land_distance_m(ray);
-    if (distance_m < no_hit_m) return PassOutput(terrain_radiance(ray, distance_m), vec4(distance_m));
+  vec2 planet = intersect_altitude(ray.origin, ray.direction, 0.0);
+  float planet_m = planet.x <= planet.y && planet.y > 0.0 ? max(planet.x, 0.0) : no_hit_m;
+  float land_m = frame.ground.x == ground_terrain ? land_distance_m(ray) : no_hit_m;
+  float distance_m = land_m < no_hit_m ? land_m : (frame.ground.x == ground_plain ? planet_m : no_hit_m);
+  Surface surface = Surface(vec3(0.0), vec3(0.0));
+  if (land_m < no_hit_m) surface = terrain_surface_at(ray, land_m);
+  else if (distance_m < no_hit_m) surface = plain_surface(ray, distance_m);
+  // Where there is no ground a clear sky still ends at the planet.
+  float end_m = sky_kind() == sky_clear ? min(distance_m, planet_m) : distance_m;
+  vec3 radiance;
+  float direct_share = 0.0;
+  if (end_m < no_hit_m) {
+    Air air = air_to(ray.direction, end_m);
+    vec3 direct = surface.direct * air.transmittance;
+    radiance = direct + surface.diffuse * air.transmittance + air.in_scatter;
+    direct_share = dot(direct, vec3(1.0)) / max(dot(radiance, vec3(1.0)), 1.0e-30);
+  } else {
+    radiance = radiance_above(ray.direction);
   }
-  vec2 hit = intersect_altitude(ray.origin, ray.direction, 0.0);
-  if (frame.ground.x == 1.0 && hit.x <= hit.y && hit.y > 0.0) return ground(ray, max(hit.x, 0.0));
-  vec3 radiance = sky_radiance(ray.direction) + sun_disc(ray.direction);
-  return PassOutput(vec4(min(radiance, vec3(frame.accumulation.y)), 0.0), vec4(no_hit_m));
+  return PassOutput(vec4(min(radiance * frame.accumulation.z, vec3(frame.accumulation.y)), direct_share), vec4(distance_m));
 }

@@ -8,6 +8,11 @@
 layout(binding = 12) uniform sampler2D terrain_surface;
 layout(binding = 13) uniform sampler2D terrain_sun;
 
+// Light that a surface sends to the camera: of the sun (or the moon), and of the sky.
+struct Surface {
+  vec3 direct, diffuse;
+};
+
 struct Site {
   vec3 position;     // relative to the point below the camera, m
   vec3 up, normal;   // of the planet, of the land
@@ -74,27 +79,23 @@ vec3 cover_at(Site site) {
 
 // Share of the sun's disc above the land.
 float sun_share(Site site) {
-  float sine = clamp(dot(site.up, frame.sun_direction.xyz), -1.0, 1.0);
+  float sine = clamp(dot(site.up, frame.light_direction.xyz), -1.0, 1.0);
   float land = on_the_map(site.position.xy) ? atan(texture(terrain_sun, site.uv).x) : -0.2;
   return smoothstep(-terrain.sun.z, terrain.sun.z, asin(sine) - land);
 }
 
 vec3 sunlight_at(Site site) {
-  vec3 irradiance = frame.sun_irradiance.xyz;
-  if (sky_kind() == sky_clear) irradiance *= space_transmittance(site.altitude_m, dot(site.up, frame.sun_direction.xyz));
-  return irradiance * sun_share(site) * max(0.0, dot(site.normal, frame.sun_direction.xyz));
+  vec3 irradiance = light_at(site.altitude_m, dot(site.up, frame.light_direction.xyz));
+  return irradiance * sun_share(site) * max(0.0, dot(site.normal, frame.light_direction.xyz));
 }
 
-// As a target of the scene: radiance, and the share of it that is direct sunlight.
-vec4 terrain_radiance(CameraRay ray, float distance_m) {
+Surface terrain_surface_at(CameraRay ray, float distance_m) {
   Site site = site_at(ray, distance_m);
   vec3 albedo = clamp(cover_at(site), 0.0, 1.0);
   vec3 direct = albedo / pi * sunlight_at(site);
   vec3 around = albedo * sky_irradiance() * 0.5 + pi * ground_radiance() * 0.5;  // the slopes opposite
   vec3 diffuse = albedo / pi * mix(around, sky_irradiance() * (0.6 + 0.4 * site.normal.z), site.sky);
-  Air air = air_to(ray.direction, distance_m, site.altitude_m);
-  vec3 radiance = (direct + diffuse) * air.transmittance + air.in_scatter;
-  return vec4(radiance, dot(direct * air.transmittance, vec3(1.0)) / max(dot(radiance, vec3(1.0)), 1.0e-6));
+  return Surface(direct, diffuse);
 }
 
 // Distance to the land or to the plain around it, m; no_hit_m where there is neither.

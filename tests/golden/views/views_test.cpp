@@ -10,6 +10,7 @@
 #include "golden.h"
 #include "render/renderer.h"
 #include "settings/cloudscape_json.h"
+#include "settings/still_request.h"
 
 namespace cloudscape::golden {
 namespace {
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 // bits.
 struct View {
   const char* name;
-  const char* cloudscape;  // a preset, or a document of tests/golden/documents
+  const char* cloudscape;  // a preset, a document of tests/golden/documents, or still:NAME for that of a named still
   int largest;
   double mean;
   const char* reason;  // of the two numbers
@@ -55,6 +56,8 @@ const View views[] = {
      [](FrameRequest& request) {
        request.pose = {{0, 0, 12000}, 40, -20, 0};
      }},
+    {"blue-hour", "still:blue-hour", 24, 0.5, edges},
+    {"moonlight", "still:moonlight", 24, 0.5, edges},
     {"after-an-hour", "sunset-broken", 24, 0.5, edges, [](FrameRequest& request) { request.time_s = 3600; }},
     {"sphere", "sphere.json", 2, 0.05, closed_form},
     {"slab", "slab.json", 2, 0.05, closed_form},
@@ -63,6 +66,8 @@ const View views[] = {
 std::shared_ptr<const Cloudscape> cloudscape_of(const View& view) {
   const settings::CloudscapeLibrary library{{}};
   const std::string name = view.cloudscape;
+  if (name.starts_with("still:"))
+    return settings::still_from_document(settings::named_still(name.substr(6)), {}, library, {}).frame.cloudscape;
   return settings::find_cloudscape(
       library, name.ends_with(".json") ? CLOUDSCAPE_SOURCE_DIR "/tests/golden/documents/" + name : name);
 }

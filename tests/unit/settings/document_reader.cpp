@@ -220,5 +220,14 @@ TEST(HeightMapNames, AreBareNamesOfPictures) {
   }
 }
 
+TEST(DocumentReader, PutsTheSunWhereItStandsAtAPlaceAndTime) {
+  const Cloudscape sky = parsed(
+      R"({"sun": {"place": {"latitude_deg": 39.742476, "longitude_deg": -105.1786, "time_utc": "2003-10-17T19:30:30Z"}}})");
+  EXPECT_NEAR(sky.sun.azimuth_deg, 194.34, 0.01);
+  EXPECT_EQ(parsed(to_json(sky)), sky);
+  EXPECT_THAT(sentence(R"({"sun": {"place": {"time_utc": "2026-02-30T12:00:00Z"}}})"),
+              StartsWith("/sun/place/time_utc is \"2026-02-30T12:00:00Z\": must be a time from 1901 to 2099"));
+}
+
 }  // namespace
 }  // namespace cloudscape::settings

@@ -251,5 +251,33 @@ TEST_F(Stills, ParametersDescribeThemselves) {
   EXPECT_EQ(find("time_s").type, "number");
 }
 
+// NREL's example: azimuth 194.34, elevation 39.89.
+TEST_F(Stills, SunStandsByPlaceAndTime) {
+  const StillRequest still =
+      query({{"latitude_deg", "39.742476"}, {"longitude_deg", "-105.1786"}, {"time_utc", "2003-10-17T19:30:30Z"}});
+  EXPECT_NEAR(still.frame.cloudscape->sun.azimuth_deg, 194.34, 0.01);
+  EXPECT_NEAR(still.frame.cloudscape->sun.elevation_deg, 39.89, 0.01);
+  const StillRequest same = body(
+      R"("sun": {"place": {"latitude_deg": 39.742476, "longitude_deg": -105.1786, "time_utc": "2003-10-17T19:30:30Z"}})");
+  EXPECT_EQ(*same.frame.cloudscape, *still.frame.cloudscape);
+  EXPECT_NE(still.canonical, query({}).canonical);
+}
+
+TEST_F(Stills, ANewAngleTakesTheSunFromItsPlace) {
+  const std::string document = R"({"cloudscape": {"sun": {"place": {"time_utc": "2026-06-21T12:00:00Z"}}})";
+  const StillRequest placed = still_from_json(document + "}", library, {});
+  EXPECT_GT(placed.frame.cloudscape->sun.elevation_deg, 60);
+  const StillRequest turned = still_from_json(document + R"(, "sun": {"elevation_deg": 5}})", library, {});
+  EXPECT_EQ(turned.frame.cloudscape->sun.elevation_deg, 5);
+  EXPECT_EQ(turned.frame.cloudscape->sun.place.time_utc, "");
+}
+
+TEST_F(Stills, APlaceNeedsATimeThatThereIs) {
+  EXPECT_EQ(sentence({{"latitude_deg", "50"}}),
+            "/time_utc is missing: a place needs a time, such as 2026-06-21T12:00:00Z");
+  EXPECT_THAT(sentence({{"time_utc", "noon"}}), HasSubstr("/time_utc is \"noon\": must be a time from 1901 to 2099"));
+  EXPECT_THAT(sentence({{"latitude_deg", "91"}, {"time_utc", "2026-06-21T12:00:00Z"}}), HasSubstr("within [-90, 90]"));
+}
+
 }  // namespace
 }  // namespace cloudscape::settings

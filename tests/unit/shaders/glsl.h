@@ -30,6 +30,8 @@ int permutation(int index) { return current_permutation.at(static_cast<std::size
 #include "lib/relief.glsl"
 #include "lib/shape.glsl"
 #include "lib/sky_mapping.glsl"
+#include "lib/stars.glsl"
+#include "lib/sun_disc.glsl"
 #include "lib/transport.glsl"
 #include "lib/worley.glsl"
 
