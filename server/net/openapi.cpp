@@ -57,7 +57,7 @@ Json still_answers() {
   return with_problems(std::move(answers), {{"400", "A wrong value; `pointer` says which."},
                                             {"401", "The token is missing or wrong."},
                                             {"404", "No such cloudscape."},
-                                            {"422", "Above a limit of this server; `detail` names it."},
+                                            {"422", "Above a limit of this server, or a file that the document names cannot be used; `detail` says which."},
                                             {"429", "This client asks for too much; Retry-After says when again."},
                                             {"500", "The renderer failed."},
                                             {"503", "Starting, stopping, queue full or too slow; see Retry-After."}});

@@ -12,7 +12,8 @@ namespace cloudscape::vdb {
 namespace {
 
 constexpr std::int64_t magic = 0x56444220;
-constexpr std::uint32_t oldest_version = 222;  // of 2013; earlier files are laid out otherwise
+constexpr std::uint32_t oldest_version = 222;    // of 2013; earlier files are laid out otherwise
+constexpr std::uint32_t farthest_version = 255;  // OpenVDB 10 writes 224, and reads later ones as well as it can
 constexpr std::size_t uuid_bytes = 36;
 constexpr std::uint32_t longest_name = 1 << 16, most_entries = 1 << 16;
 
@@ -140,7 +141,9 @@ Descriptor found(const std::vector<Descriptor>& grids, const std::string& name) 
 // Magic number, version, library, offsets, and an identifier.
 std::string read_header(Reader& reader) {
   if (reader.number<std::int64_t>() != magic) refuse_damaged();
-  if (reader.number<std::uint32_t>() < oldest_version)
+  const auto file_version = reader.number<std::uint32_t>();
+  if (file_version > farthest_version) refuse_damaged();
+  if (file_version < oldest_version)
     throw UnusableFile("was written by an OpenVDB before 3.0: write it anew");
   reader.number<std::uint64_t>();
   if (reader.number<char>() == 0)
@@ -186,9 +189,11 @@ OneGrid one_grid(const std::filesystem::path& path, const std::string& name) {
     metadata += entry.bytes;
     ++count;
   }
+  reader.text();  // the kind of transform
+  const std::string transform = reader.take();
   if (grid.end < reader.at()) refuse_damaged();
   one.bytes = header + bytes_of(std::uint32_t{0}) + bytes_of(std::uint32_t{1}) + grid.bytes + compression +
-              bytes_of(count) + metadata + reader.bytes(grid.end - reader.at());
+              bytes_of(count) + metadata + transform + reader.bytes(grid.end - reader.at());
   return one;
 }
 

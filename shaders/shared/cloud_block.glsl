@@ -3,17 +3,19 @@
 #define SHARED_CLOUD_BLOCK
 #include "shared/block.glsl"
 
-/* layer: bottom altitude, top altitude, 1 / thickness, kind as core's VolumeKind.
+/* layer: bottom altitude, top altitude, 1 / thickness, kind as core's VolumeKind (vdb for all that comes from a file).
    tile: 1 / size east, 1 / size north (1/m), offset east, north (tiles) of the point below the camera.
-   box_low, box_high: corners of the volume relative to the point below the camera (not curved), w of low: tiles?
+   box_low, box_high: corners of the volume relative to the point below the camera (not curved), w of low: tiles? w of high: bent with the planet?
    shape: threshold, edge softness, variation amount, shift of the tile by the variation (tiles).
    weights: of the four shape channels. variation: 1 / period (1/m), offset east, north (periods), 0.
-   detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, sample spacing from which it is averaged (m), the same for its finest part, 0.
+   detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, sample spacing from which it is averaged (m), the same for its finest part;
+   change of the shape for each metre between samples (1/m).
    medium: extinction (1/m), scattering (1/m), ambient scale, phase kind. phase: g, second g, second weight, light function.
    olajos: attenuation, in-scatter, gain, 0.
    octave_weight_low/high, octave_extinction_low/high, octave_asymmetry_low/high: of octaves 0..3 and 4..7; weight 0: unused.
    steps: small step (m), least share of the distance, greatest number, light steps. adaptive: begin (m), growth of the small step for each
-   metre beyond it, random first step?, lighting? structure: large step (m; 0: none), slack of the threshold, 0, 0.
+   metre beyond it, random first step?, lighting? structure: large step (m; 0: none), slack of the threshold, what it leaves free beyond a point
+   outside (m), longest small step (m).
    olajos_dark, olajos_bright: rgb. march: light distance (m), view distance (m), altitudes between which there is cloud (m). */
 #define CLOUD_FIELDS(F) \
   F(vec4, layer) \
