@@ -71,7 +71,8 @@ void add_bake(CLI::App& program, Run& run) {
   command->add_option("--vdb-resolution", options->vdb.resolution, "Cubic voxels along the volume's longest side")
       ->capture_default_str()
       ->check(CLI::Range(8, 2048));
-  command->add_option("--vdb-up", options->vdb.up, "Upward axis: z, as in Blender (x east, y north), or y, as in Houdini")
+  command
+      ->add_option("--vdb-up", options->vdb.up, "Upward axis: z, as in Blender (x east, y north), or y, as in Houdini")
       ->capture_default_str()
       ->check(CLI::IsMember({"y", "z"}));
   command->add_flag("--verbose", options->verbose,

@@ -47,22 +47,25 @@ struct VolumeGrid {
   bool operator==(const VolumeGrid&) const = default;
 
   static void fields(auto& self, auto&& visit) {
-    visit("file", self.file, Limits{0, 100},
-          "Bare name in the folder of volumes: a .vdb (OpenVDB) for vdb; for grid a .raw (little-endian 32 bit floats, "
-          "east fastest, then north, then up) or an .exr (horizontal slices side by side in ceil(sqrt(slices)) columns, "
-          "north up; channel Y, or else R).");
+    visit(
+        "file", self.file, Limits{0, 100},
+        "Bare name in the folder of volumes: a .vdb (OpenVDB) for vdb; for grid a .raw (little-endian 32 bit floats, "
+        "east fastest, then north, then up) or an .exr (horizontal slices side by side in ceil(sqrt(slices)) columns, "
+        "north up; channel Y, or else R).");
     visit("name", self.name, Limits{1, 100}, "Name of the grid in the file; of vdb.");
-    visit("density_scale", self.density_scale, Limits{0, 1e6},
-          "Density for each unit in the file; extinction is extinction_per_m times density, which here may be above 1.");
+    visit(
+        "density_scale", self.density_scale, Limits{0, 1e6},
+        "Density for each unit in the file; extinction is extinction_per_m times density, which here may be above 1.");
     visit("size", self.size, Limits{1, max_grid_side}, "Voxels east, north and up; of grid.");
     visit("resolution", self.resolution, Limits{1, max_grid_side},
           "Most voxels along the longest side; a larger grid is averaged down to it; of vdb.");
     visit("tiling", self.tiling, Limits{}, "Whether it repeats east and north to the horizon or stands alone.");
     visit("interpolation", self.interpolation, Limits{},
           "Between the voxels' middles; nearest: voxels are boxes with hard faces.");
-    visit("placement", self.placement, Limits{},
-          "Where a vdb is. file: where its own transform says. box: stretched over origin_m and size_m, as a grid always "
-          "is.");
+    visit(
+        "placement", self.placement, Limits{},
+        "Where a vdb is. file: where its own transform says. box: stretched over origin_m and size_m, as a grid always "
+        "is.");
     visit("offset_m", self.offset_m, Limits{-1e7, 1e7}, "Added to the file's own place (east, north, up), m.");
     visit("metres_per_unit", self.metres_per_unit, Limits{1e-6, 1e6}, "Metres to a unit of the file's own transform.");
     visit("up", self.up, Limits{},

@@ -105,8 +105,8 @@ double large_step_m(const March& march, double longest_m) {
   return march.step_m ? std::floor(wanted_m / *march.step_m) * *march.step_m : wanted_m;
 }
 
-// tuned: light from farther than this is diffuse anyway. In voxels all of the way counts; where they tile, as far as the
-// sun at 3 degrees shines through them.
+// tuned: light from farther than this is diffuse anyway. In voxels all of the way counts; where they tile, as far as
+// the sun at 3 degrees shines through them.
 double light_length_m(const Volume& volume, const March& march) {
   if (volume.kind == VolumeKind::noise)
     return march.light_length_m.value_or(std::clamp(1.5 * volume.size_m.z, 800.0, 4000.0));
@@ -134,8 +134,8 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
   const int light_steps = march.light_steps.value_or(quality.light_steps);
   const int max_steps = std::min(march.max_steps.value_or(quality.max_steps), 65000 / (light_steps + 2));
   const double longest_m = longest_step_m(sky.volume, march, max_steps, baked);
-  block.steps = {std::min(march.step_m.value_or(quality.step_m), longest_m), march.step_m ? 0.0 : quality.step_growth, max_steps,
-                 light_steps};
+  block.steps = {std::min(march.step_m.value_or(quality.step_m), longest_m), march.step_m ? 0.0 : quality.step_growth,
+                 max_steps, light_steps};
   block.adaptive = {march.adaptive_start_m, march.adaptive_step ? march.adaptive_growth : 0.0, march.random_first_step,
                     march.lighting};
   const glm::dvec2 altitudes_m = textured ? cloud_altitudes_m(sky, baked) : glm::dvec2(0);
@@ -152,9 +152,10 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
 
 }  // namespace
 
-// A shape of one channel is mixed when it is baked; the channels that it has not read as 0, 0 and 1.
+// A shape of one channel is mixed when it is baked, or comes from a file; the channels that it has not read as 0, 0
+// and 1.
 std::array<double, 3> mixing_weights(const Cloudscape& sky) {
-  if (sky.volume.format == VolumeFormat::r16f) return {};
+  if (sky.volume.format == VolumeFormat::r16f || is_from_file(sky.volume.kind)) return {};
   const auto& channels = sky.noise.channels;
   return {channels[1].weight, channels[2].weight, channels[3].weight};
 }

@@ -35,8 +35,8 @@ DensityExport::DensityExport(gpu::ShaderLibrary& shaders, const Cloudscape& clou
   voxel_m_ = std::max({size_m.x, size_m.y, size_m.z}) / resolution;
   size_ = glm::max(glm::ivec3(glm::ceil(size_m / voxel_m_ - 1e-6)), glm::ivec3(1));
   if (static_cast<double>(count_of(size_)) > most_voxels)
-    throw InvalidInput("--vdb-resolution", "asks for " + std::to_string(count_of(size_) >> 20) +
-                                               " million voxels: 1024 million at most");
+    throw InvalidInput("--vdb-resolution",
+                       "asks for " + std::to_string(count_of(size_) >> 20) + " million voxels: 1024 million at most");
   target_ = gpu::Texture(gpu::Format::r32f, size_.x, size_.y, slab, "density");
   const glm::dvec3 below(low_m_.x + 0.5 * size_m.x, low_m_.y + 0.5 * size_m.y, 0);
   CloudBlock block = cloud_block(request_of(cloudscape, below), baked);

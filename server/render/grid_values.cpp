@@ -21,7 +21,8 @@ void place(Volume& volume, const bake::GridFacts& facts) {
       throw UnusableFile("the volume '" + grid.file + "' would be " + std::to_string(size_m) +
                          " m wide: correct volume.grid.metres_per_unit, or place it in a box");
     if (!(std::abs(volume.origin_m[axis]) <= farthest_m))
-      throw UnusableFile("the volume '" + grid.file + "' would be more than 10000 km away: correct volume.grid.offset_m");
+      throw UnusableFile("the volume '" + grid.file +
+                         "' would be more than 10000 km away: correct volume.grid.offset_m");
   }
 }
 

@@ -143,8 +143,7 @@ std::string read_header(Reader& reader) {
   if (reader.number<std::int64_t>() != magic) refuse_damaged();
   const auto file_version = reader.number<std::uint32_t>();
   if (file_version > farthest_version) refuse_damaged();
-  if (file_version < oldest_version)
-    throw UnusableFile("was written by an OpenVDB before 3.0: write it anew");
+  if (file_version < oldest_version) throw UnusableFile("was written by an OpenVDB before 3.0: write it anew");
   reader.number<std::uint64_t>();
   if (reader.number<char>() == 0)
     throw UnusableFile("was written as a stream, without a list of its grids: write it as a file");

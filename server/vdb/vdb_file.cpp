@@ -58,9 +58,9 @@ void add(Voxels& voxels, const Axes& axes, const openvdb::CoordBBox& box, float 
   };
   for (int z = first[2]; z <= last[2]; ++z)
     for (int y = first[1]; y <= last[1]; ++y) {
-      const auto row = (static_cast<std::size_t>(z) * static_cast<std::size_t>(axes[1].result) +
-                        static_cast<std::size_t>(y)) *
-                       static_cast<std::size_t>(axes[0].result);
+      const auto row =
+          (static_cast<std::size_t>(z) * static_cast<std::size_t>(axes[1].result) + static_cast<std::size_t>(y)) *
+          static_cast<std::size_t>(axes[0].result);
       const double of_row = value * share(2, z) * share(1, y);
       for (int x = first[0]; x <= last[0]; ++x)
         voxels.densities[row + static_cast<std::size_t>(x)] += static_cast<float>(of_row * share(0, x));

@@ -1,5 +1,5 @@
-// Volumes from files: against the analytic media, against closed forms of their voxels, and against the clouds that they
-// were made from.
+// Volumes from files: against the analytic media, against closed forms of their voxels, and against the clouds that
+// they were made from.
 #include <fstream>
 #include <random>
 
@@ -138,7 +138,8 @@ TEST_F(Grids, DriftWithTheWind) {
 TEST_F(Grids, StructureMissesNothing) {
   std::mt19937 random(5);
   std::vector<float> densities(40 * 24 * 12, 0.0F);
-  for (int i = 0; i < 60; ++i) densities[random() % densities.size()] = 0.05F + static_cast<float>(random() % 100) / 100;
+  for (int i = 0; i < 60; ++i)
+    densities[random() % densities.size()] = 0.05F + static_cast<float>(random() % 100) / 100;
   for (const bool tiling : {false, true})
     for (const VoxelInterpolation interpolation : {VoxelInterpolation::linear, VoxelInterpolation::nearest}) {
       Cloudscape sky = grid({40, 24, 12}, densities, 0.2);
@@ -207,7 +208,8 @@ TEST_F(Grids, MadeOfNoiseCloudsAreTheseClouds) {
     request.march.step_m = 10, request.march.max_steps = 1500, request.march.light_length_m = 1500;
     return render(request);
   };
-  for (const CameraPose& pose : {CameraPose{{2000, -1500, 300}, 0, 15, 0}, CameraPose{{1500, 1800, 3500}, 30, -60, 0}}) {
+  for (const CameraPose& pose :
+       {CameraPose{{2000, -1500, 300}, 0, 15, 0}, CameraPose{{1500, 1800, 3500}, 30, -60, 0}}) {
     const Frame own = seen(clouds, pose), grid = seen(copy, pose);
     double difference = 0, cloud = 0;
     for (int i = 0; i < 48 * 27; ++i) {

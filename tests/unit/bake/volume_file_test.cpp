@@ -73,7 +73,8 @@ TEST_F(VolumeFiles, OfSlicesAreReadFromTheirPlaces) {
   for (int z = 0; z < 5; ++z)
     for (int y = 0; y < 2; ++y)
       for (int x = 0; x < 3; ++x)
-        pixels[static_cast<std::size_t>((z / 3 * 2 + 1 - y) * 9 + z % 3 * 3 + x)] = static_cast<float>((z * 2 + y) * 3 + x);
+        pixels[static_cast<std::size_t>((z / 3 * 2 + 1 - y) * 9 + z % 3 * 3 + x)] =
+            static_cast<float>((z * 2 + y) * 3 + x);
   folder.write_exr("a.exr", 9, 4, pixels);
   EXPECT_EQ(read("a.exr", {3, 2, 5}).densities, counted(30));
   folder.write_exr("r.exr", 9, 4, pixels, {"A", "B", "G", "R"});

@@ -1,4 +1,5 @@
-// OpenVDB files: what was written comes back, coarser ones keep their mass, and one sentence for each that is no volume.
+// OpenVDB files: what was written comes back, coarser ones keep their mass, and one sentence for each that is no
+// volume.
 #include "vdb/vdb_file.h"
 
 #include <gmock/gmock.h>
@@ -93,8 +94,8 @@ TEST_F(VdbFiles, MadeHalfAsFineAreMeansOfEight) {
       for (int x = 0; x < 10; ++x) {
         double mean = 0;
         for (int i = 0; i < 8; ++i)
-          mean += fine.densities[static_cast<std::size_t>(((2 * z + (i >> 2)) * 12 + 2 * y + (i >> 1 & 1)) * 20 + 2 * x +
-                                                          (i & 1))] /
+          mean += fine.densities[static_cast<std::size_t>(((2 * z + (i >> 2)) * 12 + 2 * y + (i >> 1 & 1)) * 20 +
+                                                          2 * x + (i & 1))] /
                   8;
         ASSERT_NEAR(coarse.densities[static_cast<std::size_t>((z * 6 + y) * 10 + x)], mean, 1e-6);
       }
