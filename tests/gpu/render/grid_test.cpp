@@ -67,6 +67,7 @@ TEST_F(Grids, OfOneDensityIsAHomogeneousBox) {
     for (const CameraPose& pose : {CameraPose{{20, 0, 1010}, 0, 0, 0}, CameraPose{{-400, 700, 700}, 55, 24, 0}}) {
       FrameRequest as_grid = one_beam(voxels, pose), as_box = one_beam(box, pose);
       for (FrameRequest* request : {&as_grid, &as_box}) request->march.light_steps = 64;
+      as_grid.march.step_m = 1;
       expect_alike(render(as_grid), render(as_box), 0.01, std::string(name_of(light)));
     }
   }
@@ -138,7 +139,7 @@ TEST_F(Grids, DriftWithTheWind) {
 TEST_F(Grids, StructureMissesNothing) {
   std::mt19937 random(5);
   std::vector<float> densities(40 * 24 * 12, 0.0F);
-  for (int i = 0; i < 60; ++i)
+  for (int i = 0; i < 300; ++i)
     densities[random() % densities.size()] = 0.05F + static_cast<float>(random() % 100) / 100;
   for (const bool tiling : {false, true})
     for (const VoxelInterpolation interpolation : {VoxelInterpolation::linear, VoxelInterpolation::nearest}) {
@@ -184,17 +185,19 @@ double mean_radiance(const Frame& frame) {
   return sum / static_cast<double>(frame.depth_m.size());
 }
 
-// Noise clouds, written voxel by voxel and marched as a grid.
+// Noise clouds, written voxel by voxel and marched as a grid. Their light is not compared closely: noise is lit through a
+// coarser shape than it shows (shaders/render/cloud_light.glsl), which voxels are not.
 TEST_F(Grids, MadeOfNoiseCloudsAreTheseClouds) {
   Cloudscape clouds = small_clouds();
   clouds.volume.tiling = false;
-  clouds.volume.size_m = {4000, 4000, 1000};
+  clouds.volume.size_m = {1600, 1600, 512};
   clouds.shape.coverage = 0.5;
+  clouds.medium.extinction_per_m = 0.02;
   clouds.wind.speed_m_per_s = 0;
   clouds.ground.kind = GroundKind::none;
   const auto baked = stack_.bakes.get(stack_.bakes.recipe_of(clouds));
-  DensityExport density(stack_.shaders, clouds, *baked, 160);
-  EXPECT_EQ(density.size(), glm::ivec3(160, 160, 40));
+  DensityExport density(stack_.shaders, clouds, *baked, 200);
+  EXPECT_EQ(density.size(), glm::ivec3(200, 200, 64));
   std::vector<float> voxels;
   for (int z = 0; z < density.size().z; z += DensityExport::slab)
     for (const float value : density.slices(z)) voxels.push_back(value);
@@ -202,14 +205,14 @@ TEST_F(Grids, MadeOfNoiseCloudsAreTheseClouds) {
   Cloudscape copy = clouds;
   copy.volume.kind = VolumeKind::grid;
   copy.volume.grid.file = "clouds.raw";
-  copy.volume.grid.size = {160, 160, 40};
+  copy.volume.grid.size = {200, 200, 64};
   const auto seen = [&](const Cloudscape& sky, const CameraPose& pose) {
     FrameRequest request = picture(sky, pose, {48, 27});
-    request.march.step_m = 10, request.march.max_steps = 1500, request.march.light_length_m = 1500;
+    request.march.step_m = 4, request.march.max_steps = 2000;
     return render(request);
   };
   for (const CameraPose& pose :
-       {CameraPose{{2000, -1500, 300}, 0, 15, 0}, CameraPose{{1500, 1800, 3500}, 30, -60, 0}}) {
+       {CameraPose{{800, -900, 400}, 0, 38, 0}, CameraPose{{600, 100, 2600}, 30, -60, 0}}) {
     const Frame own = seen(clouds, pose), grid = seen(copy, pose);
     double difference = 0, cloud = 0;
     for (int i = 0; i < 48 * 27; ++i) {
@@ -217,9 +220,9 @@ TEST_F(Grids, MadeOfNoiseCloudsAreTheseClouds) {
       cloud += opacity(own, i);
     }
     EXPECT_GT(cloud / (48 * 27), 0.1);
-    // Voxels of 25 m smooth the finest detail and the edges.
+    // Voxels of 8 m smooth the finest detail and the edges.
     EXPECT_LT(difference / cloud, 0.03);
-    EXPECT_NEAR(mean_radiance(grid) / mean_radiance(own), 1, 0.02);
+    EXPECT_NEAR(mean_radiance(grid) / mean_radiance(own), 1, 0.1);
   }
 }
 
