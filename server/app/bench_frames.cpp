@@ -46,7 +46,9 @@ int run_bench(const BenchOptions& options) {
   log::start(options.gpu.log_level);
   const ImageSize size = size_of(options.size);
   const settings::CloudscapeLibrary library{{}};
-  GpuStack stack(options.gpu, progress_on_stderr());
+  GpuOptions gpu = options.gpu;
+  for (const std::string& name : options.cloudscapes) look_beside(gpu, name);
+  GpuStack stack(gpu, progress_on_stderr());
   std::vector<bench::FrameTimes> rows;
   for (const std::string& name : options.cloudscapes) {
     const auto cloudscape = settings::find_cloudscape(library, name);

@@ -90,7 +90,9 @@ int run_track(const TrackOptions& options) {
   const auto cloudscape = settings::find_cloudscape(settings::CloudscapeLibrary({}), options.cloudscape);
   const settings::CameraPath path = settings::find_camera_path(options.path);
   const Results results = results_of(options);
-  GpuStack stack(options.gpu, progress_on_stderr());
+  GpuOptions gpu = options.gpu;
+  look_beside(gpu, options.cloudscape);
+  GpuStack stack(gpu, progress_on_stderr());
   const bench::Machine machine = machine_of(stack.context);
   const bench::TrackTimes track = measure(options, *cloudscape, path, size, variants, stack);
   std::printf("%s, %s passes, %u cores\n%s", machine.renderer.c_str(), machine.execution.c_str(), machine.cores,

@@ -36,7 +36,17 @@ void add_gpu_options(CLI::App& command, GpuOptions& options) {
       ->check(CLI::NonNegativeNumber);
   command.add_option("--height-map-dir", options.height_map_dir,
                      "Folder of the height maps that a terrain may name (default: the document's)");
+  command.add_option("--volume-dir", options.volume_dir,
+                     "Folder of the volumes (.vdb, .raw, .exr) that a document may name (default: the document's)");
   command.add_option("--log-level", options.log_level, "debug, info, warn, error or off")->capture_default_str();
+}
+
+void look_beside(GpuOptions& options, const std::string& cloudscape) {
+  if (!cloudscape.ends_with(".json")) return;
+  const std::filesystem::path parent = std::filesystem::path(cloudscape).parent_path();
+  const std::string beside = parent.empty() ? "." : parent.string();
+  for (std::string* folder : {&options.height_map_dir, &options.volume_dir})
+    if (folder->empty()) *folder = beside;
 }
 
 std::filesystem::path cache_folder(const std::string& cache_dir) {
@@ -52,7 +62,7 @@ GpuStack::GpuStack(const GpuOptions& options, bake::BakeStore::Progress progress
     : context(context_options(options)),
       shaders(options.shader_dir),
       bakes(shaders, bake::BakeCache(cache_folder(options.cache_dir), bytes_of_mib(options.cache_limit_mib)),
-            device_bake_bytes, std::move(progress)),
+            device_bake_bytes, std::move(progress), options.volume_dir),
       renderer(context, shaders, bakes, options.height_map_dir) {}
 
 bake::BakeStore::Progress progress_on_stderr() {

@@ -20,11 +20,14 @@ struct GpuOptions {
   double cache_limit_mib = 2048;
   std::string log_level = "warn";
   std::string height_map_dir;  // "": none
+  std::string volume_dir;      // "": none
 };
 
 // --egl-device, --require-gpu, --pass-execution, --shader-dir, --cache-dir, --cache-limit-mib, --height-map-dir,
-// --log-level
+// --volume-dir, --log-level
 void add_gpu_options(CLI::App& command, GpuOptions& options);
+// The files that a document names lie beside it unless the user said where. `cloudscape`: a name, or a document's path.
+void look_beside(GpuOptions& options, const std::string& cloudscape);
 
 std::uint64_t bytes_of_mib(double mib);
 std::filesystem::path cache_folder(const std::string& cache_dir);

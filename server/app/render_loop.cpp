@@ -104,6 +104,8 @@ void RenderLoop::advance(GpuStack& stack, const stream::Work& work) {
     pending_ = Pending{work, stack.renderer.finish(std::move(active.job))};
     pending_->frame.timings.queue_ms = active.queue_ms;
     active_.erase(work.request.stream);
+  } catch (const UnusableFile& error) {
+    fail(stack, work, error.what(), 422);
   } catch (const std::exception& error) {
     fail(stack, work, error.what());
   }
@@ -136,11 +138,11 @@ void RenderLoop::encode(const stream::Work& work, Frame frame) {
   });
 }
 
-void RenderLoop::fail(GpuStack& stack, const stream::Work& work, const std::string& message) {
+void RenderLoop::fail(GpuStack& stack, const stream::Work& work, const std::string& message, int status) {
   log::error("a frame could not be rendered: {}", message);
   drop(stack, work.request.stream);
   scheduler_.failed(work);
-  server_.fail(work.request.stream, message);
+  server_.fail(work.request.stream, message, status);
 }
 
 void RenderLoop::drop(GpuStack& stack, StreamId stream) {

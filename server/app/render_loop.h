@@ -41,7 +41,7 @@ class RenderLoop {
   Active& active_of(GpuStack& stack, const stream::Work& work);
   void collect(GpuStack& stack);
   void encode(const stream::Work& work, Frame frame);
-  void fail(GpuStack& stack, const stream::Work& work, const std::string& message);
+  void fail(GpuStack& stack, const stream::Work& work, const std::string& message, int status = 500);
   void drop(GpuStack& stack, StreamId stream);
   void drop_the_gone(GpuStack& stack);
 

@@ -48,8 +48,9 @@ settings::ServerSettings settings_of(const ServeOptions& options) {
 }
 
 GpuOptions gpu_options(const settings::ServerSettings& settings) {
-  return {settings.egl_device, settings.require_gpu,     settings.pass_execution, settings.shader_dir,
-          settings.cache_dir,  settings.cache_limit_mib, settings.log_level,      settings.height_map_dir};
+  return {settings.egl_device, settings.require_gpu,    settings.pass_execution,
+          settings.shader_dir, settings.cache_dir,      settings.cache_limit_mib,
+          settings.log_level,  settings.height_map_dir, settings.volume_dir};
 }
 
 sigset_t stop_signals() {

@@ -30,16 +30,6 @@ std::string format_of(const std::string& path) {
   throw InvalidInput("--output", "is '" + path + "': its name must end in .jpg, .png or .exr");
 }
 
-// A document's height maps lie beside it unless the user says where.
-GpuOptions gpu_options_of(const StillOptions& options) {
-  GpuOptions gpu = options.gpu;
-  const std::string& document = options.cloudscape.empty() ? options.config : options.cloudscape;
-  const std::filesystem::path beside = std::filesystem::path(document).parent_path();
-  if (gpu.height_map_dir.empty() && document.ends_with(".json"))
-    gpu.height_map_dir = beside.empty() ? "." : beside.string();
-  return gpu;
-}
-
 // The library's name of the cloudscape that was named or whose document was; "" where none was.
 std::string named_in(settings::CloudscapeLibrary& library, const std::string& name_or_file) {
   if (!settings::is_file_path(name_or_file)) return name_or_file;
@@ -48,14 +38,15 @@ std::string named_in(settings::CloudscapeLibrary& library, const std::string& na
   return "file";
 }
 
-int run_still(const StillOptions& options) {
+int run_still(StillOptions options) {
   log::start(options.gpu.log_level);
+  look_beside(options.gpu, options.cloudscape.empty() ? options.config : options.cloudscape);
   if (!options.path.empty()) return run_sequence(options);
   if (!options.frames.empty() || options.resume)
     throw InvalidInput(options.resume ? "--resume" : "--frames", "is for sequences: name a --path too");
   const settings::StillRequest request = still_request(options);
   settings::check_writable(options.output);
-  GpuStack stack(gpu_options_of(options), progress_on_stderr());
+  GpuStack stack(options.gpu, progress_on_stderr());
   const Frame frame = stack.renderer.render(request.frame);
   settings::write_whole_file(options.output, encode::encode(frame, request.encoding).bytes);
   log::info("{}: {} samples, {:.0f} ms", options.output, frame.samples, frame.timings.render_ms);

@@ -17,6 +17,19 @@ Texture uploaded(Format format, int side, const std::vector<std::uint8_t>& texel
   return texture;
 }
 
+Texture shape_texture(const BakedTexels& texels) {
+  const Format format = shape_texture_format(texels.recipe.format);
+  if (!texels.grid) return uploaded(format, texels.recipe.resolution, texels.shape, "shape");
+  const glm::ivec3& size = texels.grid->size;
+  const GridRecipe& grid = texels.recipe.grid;
+  Texture texture(format, size.x, size.y, size.z, "shape");
+  const Wrap across = grid.tiling ? Wrap::repeat : Wrap::clamp;
+  texture.sample_with(grid.interpolation == VoxelInterpolation::nearest ? Filter::nearest : Filter::linear, across,
+                      across, Wrap::clamp);
+  texture.upload(texels.shape);
+  return texture;
+}
+
 float half_at(const std::vector<std::uint8_t>& texels, std::size_t index) {
   return glm::unpackHalf1x16(static_cast<std::uint16_t>(texels[2 * index] | texels[2 * index + 1] << 8));
 }
@@ -59,7 +72,9 @@ BakedCloudscape::Extent extent_of(int side, auto&& value) {
 
 // tuned: as many cells as texels, up to 128. Fewer allow longer large steps, but enclose more air: with 64 a march took
 // half as many samples again. More are not worth their memory.
-glm::ivec3 structure_size_of(const BakeRecipe& recipe) {
+glm::ivec3 structure_size_of(const BakedTexels& texels) {
+  const BakeRecipe& recipe = texels.recipe;
+  if (texels.grid) return glm::min(texels.grid->size, glm::ivec3(128));
   const int side = std::min(recipe.resolution, 128);
   return {side, side, std::clamp(static_cast<int>(std::lround(side * recipe.height_over_width)), 1, 256)};
 }
@@ -92,12 +107,16 @@ gpu::Format shape_texture_format(VolumeFormat format) {
 }
 
 BakedCloudscape::BakedCloudscape(BakedTexels texels)
-    : shape_(uploaded(shape_texture_format(texels.recipe.format), texels.recipe.resolution, texels.shape, "shape")),
+    : shape_(shape_texture(texels)),
       detail_(uploaded(Format::rgba8, texels.recipe.detail_resolution, texels.detail, "detail")),
       variation_(variation_texture(texels.variation)),
       texels_(std::move(texels)),
-      structure_size_(structure_size_of(texels_.recipe)),
-      steepest_variation_(slopes_of(texels_.variation)) {}
+      structure_size_(structure_size_of(texels_)),
+      steepest_variation_(slopes_of(texels_.variation)) {
+  if (!texels_.grid) return;
+  extent_.slice_maxima = texels_.grid->slice_maxima;
+  texels_.shape = {};
+}
 
 const BakedCloudscape::Extent& BakedCloudscape::extent(const std::array<double, 3>& weights) const {
   const std::vector<std::uint8_t>& shape = texels_.shape;

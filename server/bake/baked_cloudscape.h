@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <list>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,12 +13,22 @@
 
 namespace cloudscape::bake {
 
+// What a volume's file said of its voxels.
+struct GridFacts {
+  glm::ivec3 size{1};
+  double greatest_density = 1;      // the shape texture holds shares of it
+  glm::dvec3 low{0}, high{0};       // the box of the voxels in the file's units; equal where the file has no place
+  std::vector<float> slice_maxima;  // shares, bottom to top
+  bool operator==(const GridFacts&) const = default;
+};
+
 // Texels of the three textures, x fastest, then y, then z (bottom to top).
 struct BakedTexels {
   BakeRecipe recipe;
-  std::vector<std::uint8_t> shape;      // RGBA8 or R16F as the recipe says, resolution^3
+  std::vector<std::uint8_t> shape;      // RGBA8 or R16F as the recipe says, resolution^3 or the grid's size
   std::vector<std::uint8_t> detail;     // RGBA8, detail_resolution^3
   std::vector<std::uint8_t> variation;  // RGBA16F, variation_resolution^2
+  std::optional<GridFacts> grid = {};   // of a volume from a file
   bool operator==(const BakedTexels&) const = default;
 };
 
@@ -27,7 +38,8 @@ gpu::Format shape_texture_format(VolumeFormat format);
 class BakedCloudscape {
  public:
   explicit BakedCloudscape(BakedTexels texels);
-  const BakedTexels& texels() const { return texels_; }
+  const BakedTexels& texels() const { return texels_; }  // of a volume from a file, without the shape
+  const std::optional<GridFacts>& grid() const { return texels_.grid; }
   const gpu::Texture& shape() const { return shape_; }
   const gpu::Texture& detail() const { return detail_; }
   const gpu::Texture& variation() const { return variation_; }

@@ -65,19 +65,19 @@ void check_size(std::int64_t width, std::int64_t height) {
 
 HeightMap read_height_map(const fs::path& folder, const std::string& name) {
   const std::string what = "the height map '" + name + "' ";
-  if (!is_height_map_name(name)) throw Error(what + "is no bare name of a .png or .exr file");
+  if (!is_height_map_name(name)) throw UnusableFile(what + "is no bare name of a .png or .exr file");
   if (folder.empty())
-    throw Error(what + "cannot be read: there is no folder of height maps, name one with --height-map-dir");
+    throw UnusableFile(what + "cannot be read: there is no folder of height maps, name one with --height-map-dir");
   const fs::path file = folder / name;
   std::error_code error;
   if (!fs::is_regular_file(file, error))
-    throw Error(what + "is not in the folder of height maps: put it there, or name another");
+    throw UnusableFile(what + "is not in the folder of height maps: put it there, or name another");
   try {
     HeightMap map = name.ends_with(".png") ? detail::read_png_height_map(file) : detail::read_exr_height_map(file);
     check_values(map);
     return map;
   } catch (const Error& reason) {
-    throw Error(what + reason.what());
+    throw UnusableFile(what + reason.what());
   }
 }
 

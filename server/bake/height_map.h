@@ -15,8 +15,8 @@ struct HeightMap {
   std::vector<float> values;  // top row first; 0..1 of a PNG, as they are of an EXR
 };
 
-// Reads `name` of `folder`. Throws Error, one sentence that names the file and the remedy: it is missing, damaged, too
-// large, not grey, has other channels or values that are not finite. Thread-safe.
+// Reads `name` of `folder`. Throws UnusableFile, one sentence that names the file and the remedy: it is missing,
+// damaged, too large, not grey, has other channels or values that are not finite. Thread-safe.
 HeightMap read_height_map(const std::filesystem::path& folder, const std::string& name);
 
 // A map as a square lattice of side^2 points, bottom (south) row first, point (i, j) at the middle of the pixel of a

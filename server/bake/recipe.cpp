@@ -4,12 +4,15 @@
 
 namespace cloudscape::bake {
 
-BakeRecipe bake_recipe(const Cloudscape& cloudscape) {
+BakeRecipe bake_recipe(const Cloudscape& cloudscape, const std::filesystem::path& volumes) {
   BakeRecipe recipe;
   if (cloudscape.volume.kind != VolumeKind::noise) {
     recipe.resolution = recipe.detail_resolution = 1;
     for (NoiseChannel& channel : recipe.noise.channels) channel.octaves = 1;
     recipe.detail_octaves = 1;
+    if (!is_from_file(cloudscape.volume.kind)) return recipe;
+    recipe.format = VolumeFormat::r16f;
+    recipe.grid = grid_recipe(cloudscape.volume, volumes);
     return recipe;
   }
   recipe.seed = cloudscape.seed;

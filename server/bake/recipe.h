@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/grid_recipe.h"
 #include "core/bake_size.h"
 #include "core/cloudscape.h"
 
@@ -19,6 +20,7 @@ struct BakeRecipe {
   double height_rise = 50, height_fall = 4;
   std::vector<Tower> towers;
   int detail_resolution = 32, detail_frequency = 4, detail_octaves = 3;
+  GridRecipe grid;  // of a volume from a file, which needs nothing of the above but the format
   bool operator==(const BakeRecipe&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -34,11 +36,13 @@ struct BakeRecipe {
     visit("detail_resolution", self.detail_resolution, Limits{}, "");
     visit("detail_frequency", self.detail_frequency, Limits{}, "");
     visit("detail_octaves", self.detail_octaves, Limits{}, "");
+    visit("grid", self.grid, Limits{}, "");
   }
 };
 
-// A homogeneous volume needs no noise: its recipe is one texel.
-BakeRecipe bake_recipe(const Cloudscape& cloudscape);
+// A homogeneous volume needs no noise: its recipe is one texel. `volumes`: the folder of the files that volumes may
+// name; empty: none.
+BakeRecipe bake_recipe(const Cloudscape& cloudscape, const std::filesystem::path& volumes = {});
 std::string bake_key(const BakeRecipe& recipe);  // 64 hexadecimal characters
 
 }  // namespace cloudscape::bake

@@ -6,10 +6,12 @@
 
 namespace cloudscape::bake {
 
-BakeStore::BakeStore(gpu::ShaderLibrary& shaders, BakeCache cache, std::uint64_t limit_bytes, Progress progress)
+BakeStore::BakeStore(gpu::ShaderLibrary& shaders, BakeCache cache, std::uint64_t limit_bytes, Progress progress,
+                     std::filesystem::path volumes)
     : baker_(shaders),
       cache_(std::move(cache)),
       phases_(PhaseCache(cache_.files())),
+      grids_(std::move(volumes)),
       limit_bytes_(limit_bytes),
       progress_(std::move(progress)) {}
 BakeStore::~BakeStore() = default;
@@ -22,13 +24,17 @@ std::shared_ptr<const BakedCloudscape> BakeStore::find(const BakeRecipe& recipe)
     entries_.splice(entries_.begin(), entries_, found);
     return found->baked;
   }
+  if (!recipe.grid.file.empty()) {
+    grids_.check(key);
+    return nullptr;
+  }
   if (jobs_.contains(key)) return nullptr;
-  const auto texels = cache_.load(recipe);
-  return texels ? keep(key, *texels) : nullptr;
+  auto texels = cache_.load(recipe);
+  return texels ? keep(key, std::move(*texels)) : nullptr;
 }
 
-std::shared_ptr<const BakedCloudscape> BakeStore::keep(const std::string& key, const BakedTexels& texels) {
-  entries_.push_front({key, std::make_shared<const BakedCloudscape>(texels)});
+std::shared_ptr<const BakedCloudscape> BakeStore::keep(const std::string& key, BakedTexels texels) {
+  entries_.push_front({key, std::make_shared<const BakedCloudscape>(std::move(texels))});
   while (entries_.size() > 1 && bytes() > limit_bytes_) entries_.pop_back();
   return entries_.front().baked;
 }
@@ -48,6 +54,7 @@ bool BakeStore::make_room_for_a_job() {
 
 void BakeStore::advance(const BakeRecipe& recipe) {
   const std::string key = bake_key(recipe);
+  if (!recipe.grid.file.empty()) return advance_reading(key, recipe);
   ++advances_;
   if (!jobs_.contains(key)) {
     if (!make_room_for_a_job()) return;
@@ -60,11 +67,15 @@ void BakeStore::advance(const BakeRecipe& recipe) {
     if (progress_) progress_(recipe, std::min(job->progress(), 0.999));
     return;
   }
-  const BakedTexels texels = job->texels();
+  BakedTexels texels = job->texels();
   if (progress_) progress_(recipe, 1.0);
   jobs_.erase(key);
   cache_.store(texels);
-  keep(key, texels);
+  keep(key, std::move(texels));
+}
+
+void BakeStore::advance_reading(const std::string& key, const BakeRecipe& recipe) {
+  if (auto read = grids_.advance(key, recipe)) keep(read->first, std::move(read->second));
 }
 
 std::shared_ptr<const BakedCloudscape> BakeStore::get(const BakeRecipe& recipe) {

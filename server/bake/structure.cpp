@@ -11,7 +11,7 @@ using gpu::Binding, gpu::Format, gpu::Texture;
 
 Texture cells(const glm::ivec3& size, const char* label) {
   Texture texture(Format::rg32f, size.x, size.y, size.z, label);
-  texture.sample_with(gpu::Filter::nearest, gpu::Wrap::repeat);
+  texture.sample_with(gpu::Filter::nearest, gpu::Wrap::repeat, gpu::Wrap::repeat, gpu::Wrap::clamp);
   return texture;
 }
 

@@ -25,7 +25,7 @@ TerrainStore::TerrainStore(const gpu::Context& context, gpu::ShaderLibrary& shad
 
 std::shared_ptr<const BakedTerrain> TerrainStore::find(const TerrainRecipe& recipe) {
   const std::string key = terrain_key(recipe);
-  if (const auto failure = failures_.find(key); failure != failures_.end()) throw Error(failure->second);
+  if (const auto failure = failures_.find(key); failure != failures_.end()) throw UnusableFile(failure->second);
   const auto found = std::ranges::find(entries_, key, [](const auto& entry) { return entry.first; });
   if (found == entries_.end()) return nullptr;
   entries_.splice(entries_.begin(), entries_, found);

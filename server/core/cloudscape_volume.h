@@ -6,17 +6,19 @@
 #include <optional>
 #include <vector>
 
+#include "core/cloudscape_grid.h"
 #include "core/fields.h"
 
 namespace cloudscape {
 
-// noise: clouds carved from baked noise; the others are homogeneous media with closed-form answers, for checks and
-// teaching.
-enum class VolumeKind { noise, sphere, box, slab, gaussian };
+// noise: clouds carved from baked noise. vdb, grid: voxels from a file. The others are homogeneous media with
+// closed-form answers, for checks and teaching.
+enum class VolumeKind { noise, sphere, box, slab, gaussian, vdb, grid };
 template <>
 struct EnumNames<VolumeKind> {
-  static constexpr std::array<std::string_view, 5> names{"noise", "sphere", "box", "slab", "gaussian"};
+  static constexpr std::array<std::string_view, 7> names{"noise", "sphere", "box", "slab", "gaussian", "vdb", "grid"};
 };
+constexpr bool is_from_file(VolumeKind kind) { return kind == VolumeKind::vdb || kind == VolumeKind::grid; }
 
 // rgba8: the shape and three finer noises, mixed when they are sampled. r16f: the mixed shape alone, of 16 bits.
 enum class VolumeFormat { rgba8, r16f };
@@ -32,6 +34,7 @@ struct Volume {
   int resolution = 128;
   bool tiling = true;
   VolumeFormat format = VolumeFormat::rgba8;
+  VolumeGrid grid;
   bool operator==(const Volume&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -40,7 +43,8 @@ struct Volume {
           "box: the "
           "whole box. slab: between the box's bottom and top, without end. gaussian: density exp(-r^2 / (2 s^2)) about "
           "the "
-          "middle of the box, s = size_m[0] / 8, cut off at the box. All but noise are flat.");
+          "middle of the box, s = size_m[0] / 8, cut off at the box. vdb, grid: voxels from a file. All but noise are "
+          "flat.");
     visit("origin_m", self.origin_m, Limits{-1e7, 1e7}, "South-west lower corner (east, north, altitude), m.");
     visit("size_m", self.size_m, Limits{1, 1e6}, "Extent (east, north, up), m; the period of a tiling volume.");
     visit("resolution", self.resolution, Limits{16, 512, true},
@@ -51,6 +55,7 @@ struct Volume {
           "r16f: "
           "mixed when they are baked, one number of 16 bits; half the memory, and a new bake for each change of a "
           "weight.");
+    visit("grid", self.grid, Limits{}, "The voxels of vdb and grid.");
   }
 };
 

@@ -20,6 +20,11 @@ class InvalidInput : public Error {
   std::string pointer;
 };
 
+// A file that a document names cannot be used: it is missing, damaged, or not what it should be.
+class UnusableFile : public Error {
+  using Error::Error;
+};
+
 // A name that nothing has.
 class NotFound : public Error {
   using Error::Error;

@@ -80,13 +80,18 @@ Texture& Texture::operator=(Texture&& other) noexcept {
 void Texture::sample_with(Filter filter, Wrap wrap) { sample_with(filter, wrap, wrap); }
 
 void Texture::sample_with(Filter filter, Wrap across, Wrap other_axes) {
+  sample_with(filter, across, other_axes, other_axes);
+}
+
+void Texture::sample_with(Filter filter, Wrap x, Wrap y, Wrap z) {
   const GLint filtering = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
   const GLint between_levels = filter == Filter::linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST;
   const auto wrapping = [](Wrap wrap) { return wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; };
   glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, levels_ > 1 ? between_levels : filtering);
   glTextureParameteri(id_, GL_TEXTURE_MAG_FILTER, filtering);
-  glTextureParameteri(id_, GL_TEXTURE_WRAP_S, wrapping(across));
-  for (const GLenum axis : {GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glTextureParameteri(id_, axis, wrapping(other_axes));
+  glTextureParameteri(id_, GL_TEXTURE_WRAP_S, wrapping(x));
+  glTextureParameteri(id_, GL_TEXTURE_WRAP_T, wrapping(y));
+  glTextureParameteri(id_, GL_TEXTURE_WRAP_R, wrapping(z));
 }
 
 void Texture::upload(std::span<const std::uint8_t> texels) {

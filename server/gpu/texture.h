@@ -27,6 +27,7 @@ class Texture {
 
   void sample_with(Filter filter, Wrap wrap);  // default: nearest, clamp; linear: between levels as well
   void sample_with(Filter filter, Wrap across, Wrap other_axes);
+  void sample_with(Filter filter, Wrap x, Wrap y, Wrap z);
   void upload(std::span<const std::uint8_t> texels);  // all texels, tightly packed, in the texture's own format
   void upload_level(int level, std::span<const std::uint8_t> texels);  // of a 2D texture
   void make_levels();                                                  // from the first, each the mean of four texels

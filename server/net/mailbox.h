@@ -23,6 +23,7 @@ struct StillArrived {
 struct RenderFailed {
   StreamId stream_or_still = 0;
   std::string message;
+  int status = 500;
 };
 using Mail = std::variant<RendererInfo, FrameArrived, StillArrived, RenderFailed, JobNews>;
 

@@ -50,13 +50,15 @@ Json still_answers() {
       {"image/jpeg", {{"schema", binary}}}, {"image/png", {{"schema", binary}}}, {"image/x-exr", {{"schema", binary}}}};
   Json answers{{"200", answer("The picture, with a strong ETag.", pictures)},
                {"304", answer("If-None-Match names the picture that this would be; nothing was rendered.")}};
-  return with_problems(std::move(answers), {{"400", "A wrong value; `pointer` says which."},
-                                            {"401", "The token is missing or wrong."},
-                                            {"404", "No such cloudscape or still."},
-                                            {"422", "Above a limit of this server; `detail` names it."},
-                                            {"429", "This client asks for too much; Retry-After says when again."},
-                                            {"500", "The renderer failed."},
-                                            {"503", "Starting, stopping, queue full or too slow; see Retry-After."}});
+  return with_problems(
+      std::move(answers),
+      {{"400", "A wrong value; `pointer` says which."},
+       {"401", "The token is missing or wrong."},
+       {"404", "No such cloudscape or still."},
+       {"422", "Above a limit of this server, or a file that the document names cannot be used; `detail` says which."},
+       {"429", "This client asks for too much; Retry-After says when again."},
+       {"500", "The renderer failed."},
+       {"503", "Starting, stopping, queue full or too slow; see Retry-After."}});
 }
 
 Json still_body() {

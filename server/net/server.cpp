@@ -128,7 +128,7 @@ void Server::State::read(StillArrived& mail) {
 
 void Server::State::read(RenderFailed& mail) {
   if (StreamSession* viewer = session(mail.stream_or_still)) return viewer->fail(mail.message);
-  site.stills.fail(mail.stream_or_still, mail.message);
+  site.stills.fail(mail.stream_or_still, mail.message, mail.status);
   site.jobs.fail(mail.stream_or_still, mail.message);
 }
 
@@ -200,8 +200,8 @@ void Server::deliver_still(StreamId still, EncodedFrame image) {
   state_->wake();
 }
 
-void Server::fail(StreamId stream_or_still, const std::string& message) {
-  state_->mailbox.put(RenderFailed{stream_or_still, message});
+void Server::fail(StreamId stream_or_still, const std::string& message, int status) {
+  state_->mailbox.put(RenderFailed{stream_or_still, message, status});
   state_->wake();
 }
 

@@ -81,11 +81,11 @@ void StillDesk::deliver(StreamId still, EncodedFrame image) {
   }
 }
 
-void StillDesk::fail(StreamId still, const std::string& message) {
+void StillDesk::fail(StreamId still, const std::string& message, int status) {
   const auto render = find(still);
   if (render == renders_.end()) return;
   for (const std::uint64_t waiter : finish(render))
-    ready_(waiter, problem(500, "The still could not be rendered: " + message));
+    ready_(waiter, problem(status, "The still could not be rendered: " + message));
 }
 
 void StillDesk::refuse_all(const Response& response) {

@@ -27,7 +27,7 @@ class StillDesk {
   Answer order(const std::string& client, const settings::StillRequest& still, const std::string& etag);
   void leave(std::uint64_t waiter);  // the client is gone or was told that it takes too long
   void deliver(StreamId still, EncodedFrame image);
-  void fail(StreamId still, const std::string& message);
+  void fail(StreamId still, const std::string& message, int status = 500);
   void refuse_all(const Response& response);
   std::size_t waiting() const { return waiters_.size(); }
 

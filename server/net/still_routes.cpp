@@ -5,13 +5,15 @@
 #include "net/header_list.h"
 #include "net/problem.h"
 #include "net/routes.h"
+#include "settings/named_files.h"
 
 namespace cloudscape::net {
 namespace {
 
 // The same picture has the same ETag on every server with this program and this renderer.
 std::string etag_of(const settings::StillRequest& still, const Site& site) {
-  return quoted_etag(still.canonical + '\n' + version + '\n' + site.renderer->renderer);
+  const std::string files = settings::stamps_of_named_files(*still.frame.cloudscape, site.parts.settings);
+  return quoted_etag(still.canonical + '\n' + files + '\n' + version + '\n' + site.renderer->renderer);
 }
 
 Answer order(const Request& request, Site& site, const settings::StillRequest& still) {

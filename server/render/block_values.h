@@ -22,6 +22,10 @@ glm::dvec3 direction_of(double azimuth_deg, double elevation_deg);
 // What the march mixes the shape texture's finer channels in with.
 std::array<double, 3> mixing_weights(const Cloudscape& sky);
 
+// Itself, but for a volume from a file, which is marched as a shape texture that is density itself, in the box where
+// the file or the document puts it. Throws UnusableFile if that box is none.
+FrameRequest as_marched(const FrameRequest& request, const bake::BakedCloudscape& baked);
+
 // `sample`: index in the average that the frame belongs to; 0 looks through the middle of the pixel.
 FrameBlock frame_block(const FrameRequest& request, int sample);
 // Of the frame block: sun, moon, stars, and what lights the clouds.

@@ -11,6 +11,7 @@ namespace cloudscape::render {
 using glm::ivec4, glm::vec4;
 #include "shared/bloom_block.glsl"
 #include "shared/cloud_block.glsl"
+#include "shared/density_block.glsl"
 #include "shared/frame_block.glsl"
 #include "shared/sky_block.glsl"
 #include "shared/terrain_block.glsl"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "core/march_steps.h"
 #include "render/block_values.h"
@@ -77,7 +78,10 @@ void set_shape(CloudBlock& block, const FrameRequest& request, const bake::Baked
   block.detail = {1 / sky.detail.period_m, fraction(at_m.x / sky.detail.period_m),
                   fraction(at_m.y / sky.detail.period_m), 0};
   // tuned: steps longer than half a detail tile would sample it at random; its finest part is worth its cost up close.
-  block.erosion = {sky.detail.strength, 0.5 * sky.detail.period_m, 0.1 * sky.detail.period_m, 0};
+  // tuned: shape noise changes by about this much a metre, so that samples far apart do not fall through thin edges.
+  constexpr double shape_per_m = 1.2e-4;
+  block.erosion = {sky.detail.strength, 0.5 * sky.detail.period_m, 0.1 * sky.detail.period_m, shape_per_m};
+  if (is_from_file(sky.volume.kind)) block.erosion = vec4(0);  // voxels are what they are
 }
 
 // The longest large step that leaves out no cloud: twice the padding, since a cloud between two points is near one of
@@ -105,51 +109,73 @@ double large_step_m(const March& march, double longest_m) {
   return march.structure ? whole_steps(std::min(march.large_step_m.value_or(longest_m), longest_m), march) : 0;
 }
 
+// tuned: light from farther than this is diffuse anyway. In voxels all of the way counts; where they tile, as far as
+// the sun at 3 degrees shines through them.
+double light_length_m(const Volume& volume, const March& march) {
+  if (volume.kind == VolumeKind::noise)
+    return march.light_length_m.value_or(std::clamp(1.5 * volume.size_m.z, 800.0, 4000.0));
+  if (!is_from_file(volume.kind)) return 1e7;
+  return march.light_length_m.value_or(volume.grid.tiling ? 20 * volume.size_m.z : 1e7);
+}
+
+// A grid may be smaller than the quality's steps, and far away: half of the steps take a ray through it from corner to
+// corner, unless they would be shorter than half a voxel.
+double longest_step_m(const Volume& volume, const March& march, int max_steps, const bake::BakedCloudscape& baked) {
+  constexpr double any = 1e9;
+  if (!baked.grid() || volume.grid.tiling || march.step_m) return any;
+  const glm::dvec3 voxel_m = volume.size_m / glm::dvec3(baked.grid()->size);
+  return std::max(2 * glm::length(volume.size_m) / max_steps, 0.5 * std::min({voxel_m.x, voxel_m.y, voxel_m.z}));
+}
+
 void set_march(CloudBlock& block, const FrameRequest& request, const bake::BakedCloudscape& baked) {
   const Cloudscape& sky = *request.cloudscape;
   const March& march = request.march;
   const RenderQuality& quality = request.quality;
-  const bool layer = sky.volume.kind == VolumeKind::noise;
+  const bool textured = sky.volume.kind == VolumeKind::noise || is_from_file(sky.volume.kind);
+  const bool endless = sky.volume.kind == VolumeKind::noise || (textured && sky.volume.grid.tiling);
   const MarchSteps steps = march_steps(march, quality);
-  block.steps = {march.step_m.value_or(quality.step_m), march.step_m ? 0.0 : quality.step_growth, steps.view,
-                 steps.light};
+  const double longest_m = longest_step_m(sky.volume, march, steps.view, baked);
+  block.volume.x = static_cast<float>(longest_m);
+  block.steps = {std::min(march.step_m.value_or(quality.step_m), longest_m), march.step_m ? 0.0 : quality.step_growth,
+                 steps.view, steps.light};
   block.adaptive = {march.adaptive_start_m, march.adaptive_step ? march.adaptive_growth : 0.0, march.random_first_step,
                     march.lighting};
-  const glm::dvec2 altitudes_m = layer ? cloud_altitudes_m(sky, baked) : glm::dvec2(0);
-  // tuned: light from farther than this is diffuse anyway.
-  const double light_m = march.light_length_m.value_or(std::clamp(1.5 * sky.volume.size_m.z, 800.0, 4000.0));
-  block.march = {layer ? light_m : 1e7, layer ? march.max_distance_m : 1e8, altitudes_m.x, altitudes_m.y};
-  const double large_m = layer ? large_step_m(march, longest_large_step_m(sky, baked)) : 0.0;
+  const glm::dvec2 altitudes_m = textured ? cloud_altitudes_m(sky, baked) : glm::dvec2(0);
+  block.march = {light_length_m(sky.volume, march), endless ? march.max_distance_m : 1e8, altitudes_m.x, altitudes_m.y};
+  const double large_m = textured ? large_step_m(march, longest_large_step_m(sky, baked)) : 0.0;
   const double period_m = 4 * sky.shape.coverage_variation.wavelength_m;
   // How much lower the threshold can be half a large step away.
   const double slack = block.shape.z * baked.steepest_variation().threshold / period_m * 0.5 * large_m;
   // From the last point outside, cloud is at least this far: half the longest large step; from one in the outer layer
   // of the padding the share that the other layers have of that.
-  const double free_m = layer ? 0.5 * longest_large_step_m(sky, baked) : 0.0;
+  const double free_m = textured ? 0.5 * longest_large_step_m(sky, baked) : 0.0;
   const double inner_m = free_m * (bake::structure_padding - 1) / bake::structure_padding;
   block.structure = {large_m, slack, whole_steps(std::min(free_m, large_m), march), whole_steps(inner_m, march)};
 }
 
 }  // namespace
 
-// A shape of one channel is mixed when it is baked; the channels that it has not read as 0, 0 and 1.
+// A shape of one channel is mixed when it is baked, or comes from a file; the channels that it has not read as 0, 0
+// and 1.
 std::array<double, 3> mixing_weights(const Cloudscape& sky) {
-  if (sky.volume.format == VolumeFormat::r16f) return {};
+  if (sky.volume.format == VolumeFormat::r16f || is_from_file(sky.volume.kind)) return {};
   const auto& channels = sky.noise.channels;
   return {channels[1].weight, channels[2].weight, channels[3].weight};
 }
 
-CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape& baked) {
+CloudBlock cloud_block(const FrameRequest& asked, const bake::BakedCloudscape& baked) {
+  const FrameRequest request = as_marched(asked, baked);
   const Cloudscape& sky = *request.cloudscape;
   const Volume& volume = sky.volume;
-  const glm::dvec3 below_camera(request.pose.position_m.x, request.pose.position_m.y, 0);
-  const bool layer = volume.kind == VolumeKind::noise;
+  const bool from_file = is_from_file(volume.kind);
+  const glm::dvec3 below_camera(from_file ? drifted(request) : glm::dvec2(request.pose.position_m), 0);
   CloudBlock block;
   block.layer = {volume.origin_m.z, volume.origin_m.z + volume.size_m.z, 1 / volume.size_m.z,
-                 static_cast<int>(volume.kind)};
+                 static_cast<int>(from_file ? VolumeKind::vdb : volume.kind)};
   block.tile = tile_of(volume, drifted(request));
   block.box_low = xyz_w(volume.origin_m - below_camera, volume.tiling);
-  block.box_high = xyz_w(volume.origin_m + volume.size_m - below_camera, layer ? sky.shape.coverage : 0);
+  block.box_high = xyz_w(volume.origin_m + volume.size_m - below_camera, 0);
+  block.volume = {0, !from_file, volume.kind == VolumeKind::noise ? sky.shape.coverage : 0.0, 0};
   set_shape(block, request, baked);
   const Medium& medium = sky.medium;
   block.medium = {medium.extinction_per_m, medium.extinction_per_m * medium.single_scattering_albedo, medium.ambient,

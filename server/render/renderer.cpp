@@ -77,7 +77,7 @@ bool Renderer::advance(RenderJob& job) {
 bool Renderer::find_baked(RenderJob& job) {
   const Cloudscape& sky = *job.request.cloudscape;
   if (!job.baked) {
-    const bake::BakeRecipe recipe = bake::bake_recipe(sky);
+    const bake::BakeRecipe recipe = bakes_.recipe_of(sky);
     job.baked = bakes_.find(recipe);
     if (!job.baked) {
       bakes_.advance(recipe);

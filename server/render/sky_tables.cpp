@@ -51,7 +51,7 @@ std::string sky_key(const FrameBlock& frame) {
 }
 
 std::string lights_key(const FrameBlock& frame, const CloudBlock& cloud) {
-  return sky_key(frame) + bytes_of(cloud.layer, cloud.box_high.w, frame.sky, frame.night, frame.ground.x);
+  return sky_key(frame) + bytes_of(cloud.layer, cloud.volume.z, frame.sky, frame.night, frame.ground.x);
 }
 
 void run(const gpu::ScreenPass& pass, std::initializer_list<const Texture*> targets,

@@ -42,6 +42,26 @@ void check_time(const std::string& time_utc, const std::string& pointer) {
     refuse(pointer, time_utc, "a time from 1901 to 2099 such as 2026-06-21T12:00:00Z, or empty");
 }
 
+// As with height maps. Which of the two kinds of file it is follows from the volume's kind.
+void check_volume_file(const Volume& volume, const std::string& pointer) {
+  const std::string& name = volume.grid.file;
+  const bool vdb = volume.kind == VolumeKind::vdb;
+  const bool bare = vdb ? is_vdb_name(name) : is_grid_name(name);
+  const bool unused = !is_from_file(volume.kind) && (name.empty() || is_vdb_name(name));
+  if (!bare && !unused)
+    refuse(pointer, name,
+           std::string("the bare name of a ") + (vdb ? ".vdb" : ".raw or .exr") + " file in the folder of volumes");
+}
+
+// What to lower where the textures are too large: key of the volume, and its value.
+std::pair<std::string, std::string> size_of_bake(const Volume& volume) {
+  const auto& size = volume.grid.size;
+  if (volume.kind == VolumeKind::vdb) return {"grid/resolution", number_text(volume.grid.resolution)};
+  if (volume.kind == VolumeKind::grid)
+    return {"grid/size", std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2])};
+  return {"resolution", std::to_string(volume.resolution) + " in " + std::string(name_of(volume.format))};
+}
+
 nlohmann::ordered_json document_schema() { return schema<Root>("urn:cloudscape:document:1", "Cloudscape document"); }
 
 }  // namespace
@@ -49,6 +69,7 @@ nlohmann::ordered_json document_schema() { return schema<Root>("urn:cloudscape:d
 void check(const Cloudscape& cloudscape, const std::string& pointer) {
   check_height_map(cloudscape.ground.terrain.height_map, pointer + "/ground/terrain/height_map");
   check_time(cloudscape.sun.place.time_utc, pointer + "/sun/place/time_utc");
+  check_volume_file(cloudscape.volume, pointer + "/volume/grid/file");
   if (cloudscape.volume.kind != VolumeKind::noise) return;
   for (std::size_t i = 0; i < cloudscape.noise.channels.size(); ++i) {
     const NoiseChannel& channel = cloudscape.noise.channels[i];
@@ -64,11 +85,12 @@ void check(const Cloudscape& cloudscape, const std::string& pointer) {
 void check_bake(const Cloudscape& cloudscape, double max_bake_mib, const std::string& pointer) {
   const double mib = static_cast<double>(bake_bytes(cloudscape)) / (1024.0 * 1024.0);
   if (mib <= max_bake_mib) return;
-  throw OverLimit(pointer + "/volume/resolution",
-                  "is " + std::to_string(cloudscape.volume.resolution) + " in " +
-                      std::string(name_of(cloudscape.volume.format)) + ", whose textures take " + number_text(mib) +
-                      " MiB: this server's limit is " + number_text(max_bake_mib) +
-                      " (max_bake_mib); lower volume.resolution or ask for volume.format r16f");
+  const auto [key, value] = size_of_bake(cloudscape.volume);
+  const bool noise = cloudscape.volume.kind == VolumeKind::noise;
+  throw OverLimit(pointer + "/volume/" + key, "is " + value + ", whose textures take " + number_text(mib) +
+                                                  " MiB: this server's limit is " + number_text(max_bake_mib) +
+                                                  " (max_bake_mib); lower volume." +
+                                                  (noise ? "resolution or ask for volume.format r16f" : "grid"));
 }
 
 Cloudscape read_cloudscape(const nlohmann::json& json, const std::string& pointer) {

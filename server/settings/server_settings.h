@@ -21,6 +21,7 @@ struct ServerSettings {
   double cache_limit_mib = 2048;
   std::string cloudscapes_dir;  // "": documents that are put live in memory only
   std::string height_map_dir;   // "": no document can name a height map
+  std::string volume_dir;       // "": no document can name a volume's file
   std::string token_file;
   bool insecure = false;
   std::vector<std::string> allowed_origins;
@@ -66,6 +67,8 @@ struct ServerSettings {
           "Folder of *.json documents, read at start, where documents that are put are stored; empty: none.");
     visit("height_map_dir", self.height_map_dir, path_lengths,
           "Folder of the height maps (.png, .exr) that a terrain may name; empty: none.");
+    visit("volume_dir", self.volume_dir, path_lengths,
+          "Folder of the volumes (.vdb, .raw, .exr) that a document may name; empty: none.");
     visit("token_file", self.token_file, path_lengths,
           "File with the token that clients must send; empty: $CLOUDSCAPE_TOKEN, or one is made beyond loopback.");
     visit("insecure", self.insecure, Limits{}, "Listens beyond loopback without a token.");

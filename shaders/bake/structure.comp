@@ -4,12 +4,18 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(binding = 0, rg32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D shape_texture;
 
+// A texel within a size of the texture, without a division.
+ivec3 around_edges(ivec3 texel, ivec3 size) {
+  texel += size * ivec3(lessThan(texel, ivec3(0)));
+  texel -= size * ivec3(greaterThanEqual(texel, size));
+  return clamp(texel, ivec3(0), size - 1);
+}
+
 // Shape (x) and what the finer channels make of it (y), the greatest of the four texels of a cube's face.
-vec2 face_maximum(ivec3 at, int side) {
+vec2 face_maximum(ivec3 at, ivec3 size) {
   vec2 most = vec2(-1.0e9);
   for (int i = 0; i < 4; ++i) {
-    ivec3 texel = at + ivec3(0, i & 1, i >> 1);
-    vec4 noise = texelFetch(shape_texture, texel & ivec3(side - 1), 0);
+    vec4 noise = texelFetch(shape_texture, around_edges(at + ivec3(0, i & 1, i >> 1), size), 0);
     most = max(most, vec2(noise.x, 1.0 + dot(structure_values.weights.yzw, noise.yzw - 0.5)));
   }
   return most;
@@ -19,17 +25,18 @@ void main() {
   ivec3 cell = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, volume_pass.z_begin);
   ivec3 cells = structure_values.size.xyz;
   if (cell.x >= cells.x || cell.y >= cells.y || cell.z >= cells.z) return;
-  int side = structure_values.size.w;
+  // Around the edges in all directions: where the shape is clamped there, the march finds no more than that.
+  ivec3 size = textureSize(shape_texture, 0);
   // The cubes of eight texel middles that reach into the cell.
-  ivec3 first = ivec3(floor(vec3(cell * side) / vec3(cells) - 0.5));
-  ivec3 last = ivec3(ceil(vec3((cell + 1) * side) / vec3(cells) - 0.5)) - 1;
+  ivec3 first = ivec3(floor(vec3(cell * size) / vec3(cells) - 0.5));
+  ivec3 last = ivec3(ceil(vec3((cell + 1) * size) / vec3(cells) - 0.5)) - 1;
   float greatest = 0.0;
   for (int z = first.z; z <= last.z; ++z) {
     for (int y = first.y; y <= last.y; ++y) {
-      vec2 face = face_maximum(ivec3(first.x, y, z), side);
+      vec2 face = face_maximum(ivec3(first.x, y, z), size);
       for (int x = first.x; x <= last.x; ++x) {
         // The channels are interpolated one by one, and then multiplied: no more than the product of their maxima.
-        vec2 next = face_maximum(ivec3(x + 1, y, z), side);
+        vec2 next = face_maximum(ivec3(x + 1, y, z), size);
         vec2 most = max(face, next);
         greatest = max(greatest, most.x * max(most.y, 0.0));
         face = next;

@@ -25,7 +25,7 @@ float sun_optical_depth(vec3 p, Land land, float jitter) {
   Stretch path = medium_stretch(p, sun);
   float end_m = min(path.end, cloud.march.x);
   if (end_m <= path.begin) return 0.0;
-  if (volume_kind() != volume_noise && volume_kind() != volume_gaussian)
+  if (!is_textured() && volume_kind() != volume_gaussian)
     return cloud.medium.x * (path.end - path.begin);
   float steps = cloud.steps.w;
   float sum_m = 0.0;

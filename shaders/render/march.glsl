@@ -24,7 +24,8 @@ float step_jitter(ivec2 pixel) {
 
 // Length of the small step at a distance from the camera: what the quality asks for, and what the adaptive step adds (Olajos 2.4.2).
 float small_step_m(float distance_m) {
-  return max(cloud.steps.x, cloud.steps.y * distance_m) + cloud.adaptive.y * max(0.0, distance_m - cloud.adaptive.x);
+  float step_m = max(cloud.steps.x, cloud.steps.y * distance_m) + cloud.adaptive.y * max(0.0, distance_m - cloud.adaptive.x);
+  return min(step_m, cloud.volume.x);
 }
 
 struct Sample {
@@ -74,7 +75,7 @@ struct Walk {
 // all kinds of step: a software rasterizer goes through a loop for all of its lanes until the last is done.
 Walk walk_to_cloud(CameraRay ray, Stretch path, Walk walk) {
   float large_m = cloud.structure.x;
-  float last = path.end - 1.0;  // where the structure is asked for the last time
+  float last = path.end - min(1.0, 0.5 * small_step_m(path.end));  // where the structure is asked for the last time
   walk.value = 0.0;
   for (; walk.steps < cloud.steps.z && walk.t < path.end; ++walk.steps) {
     vec3 p = ray.origin + ray.direction * walk.t;
@@ -128,15 +129,15 @@ March march_layer(CameraRay ray, RayLight light, Stretch path, float jitter, flo
 
 March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmittance) {
   RayLight light = ray_light(ray.direction);
-  March march = volume_kind() == volume_noise ? march_layer(ray, light, path, jitter, stop_transmittance)
-                                              : march_analytic(ray, light, path, jitter, stop_transmittance);
+  March march = is_textured() ? march_layer(ray, light, path, jitter, stop_transmittance)
+                              : march_analytic(ray, light, path, jitter, stop_transmittance);
   if (march.transmittance < stop_transmittance) march.transmittance = 0.0;
   return march;
 }
 
 // Beam and diffuse light together: transmittance of a conservative slab by the two-stream equations (Bohren 1987).
 float ground_visibility(CameraRay ray, float distance_m, float jitter) {
-  if (frame.light_direction.z <= 0.02 || volume_kind() != volume_noise) return 1.0;
+  if (frame.light_direction.z <= 0.02 || !is_textured()) return 1.0;
   bool directed = cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie;
   float g = directed ? max(cloud.phase.x, 0.0) : 0.0;
   vec3 p = ray.origin + ray.direction * distance_m;

@@ -13,7 +13,11 @@ const int volume_sphere = 1;
 const int volume_box = 2;
 const int volume_slab = 3;
 const int volume_gaussian = 4;
+const int volume_grid = 5;  // voxels from a file: both of core's kinds
 int volume_kind() { return int(cloud.layer.w); }
+
+// Whether density comes from the shape texture and not from a formula.
+bool is_textured() { return volume_kind() == volume_noise || volume_kind() == volume_grid; }
 
 vec3 box_center() { return 0.5 * (cloud.box_low.xyz + cloud.box_high.xyz); }
 float sphere_radius_m() { return 0.5 * (cloud.box_high.x - cloud.box_low.x); }
@@ -44,7 +48,11 @@ Land land_at(vec3 p) {
   return Land(cloud.shape.x + cloud.shape.z * (slow.x - 0.5), cloud.shape.w * (slow.yz - 0.5));
 }
 
-float height_in_layer(vec3 p) { return (altitude_of(p) - cloud.layer.x) * cloud.layer.z; }
+// 0..1 from the bottom of the volume to its top, which is bent with the planet or flat.
+float height_in_layer(vec3 p) {
+  float drop_m = cloud.volume.y * (p.x * p.x + p.y * p.y) / (2.0 * (planet_radius_m + p.z));  // as altitude_of
+  return (p.z + drop_m - cloud.layer.x) * cloud.layer.z;
+}
 
 // How far outside the structure a point is (Olajos 2.4.2): outside all of its padding, which is wider than half a large step, so that no
 // cloud stands between two such points that are a large step apart; within the outer layer of it only; or near cloud.
@@ -73,9 +81,7 @@ float shape_above_threshold(vec3 p, Land land) {
 float density_of(float value, float erosion, float spacing_m) {
   if (value <= 0.0) return 0.0;
   value -= cloud.erosion.x * erosion;
-  // tuned: shape noise changes by about this much a metre, so that samples far apart do not fall through thin edges.
-  const float shape_per_m = 1.2e-4;
-  return clamp(value / (cloud.shape.y + shape_per_m * min(spacing_m, 400.0)), 0.0, 1.0);
+  return clamp(value / (cloud.shape.y + cloud.erosion.w * min(spacing_m, 400.0)), 0.0, 1.0);
 }
 
 // The erosion that samples `spacing_m` apart can show: what is finer is left out.
@@ -88,6 +94,12 @@ float analytic_density(vec3 p) {
   if (volume_kind() != volume_gaussian) return 1.0;
   vec3 d = (p - box_center()) / (0.125 * (cloud.box_high.x - cloud.box_low.x));
   return exp(-0.5 * dot(d, d));
+}
+
+// Density 0..1 with all its detail, where the medium can be (`medium_stretch`): what a march smooths by the spacing of its samples.
+float density_at(vec3 p) {
+  if (!is_textured()) return analytic_density(p);
+  return density_of(shape_above_threshold(p, land_at(p)), erosion_at(p, height_in_layer(p), true), 0.0);
 }
 
 // Up to two stretches of a ray: from begin to end without the gap.
@@ -113,9 +125,19 @@ Stretch layer_stretch(vec3 origin, vec3 direction) {
   return found;
 }
 
+// Between the lowest and the highest voxel with density; as wide as the grid, or without end where it tiles.
+Stretch grid_stretch(vec3 origin, vec3 direction) {
+  vec2 heights = intersect_slab(origin.z, direction.z, cloud.march.z, cloud.march.w);
+  if (cloud.box_low.w > 0.0) return stretch_of(heights);
+  vec2 x = intersect_slab(origin.x, direction.x, cloud.box_low.x, cloud.box_high.x);
+  vec2 y = intersect_slab(origin.y, direction.y, cloud.box_low.y, cloud.box_high.y);
+  return stretch_of(vec2(max(max(x.x, y.x), heights.x), min(min(x.y, y.y), heights.y)));
+}
+
 Stretch medium_stretch(vec3 origin, vec3 direction) {
   int kind = volume_kind();
   if (kind == volume_noise) return layer_stretch(origin, direction);
+  if (kind == volume_grid) return grid_stretch(origin, direction);
   if (kind == volume_sphere) return stretch_of(intersect_sphere(origin, direction, box_center(), sphere_radius_m()));
   if (kind == volume_slab) return stretch_of(intersect_slab(origin.z, direction.z, cloud.box_low.z, cloud.box_high.z));
   return stretch_of(intersect_box(origin, direction, cloud.box_low.xyz, cloud.box_high.xyz));

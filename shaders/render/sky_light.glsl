@@ -36,7 +36,7 @@ vec3 ground_radiance_under(float shade) {
 
 vec3 mean_of_part(int part) {
   // tuned: of the light on a cumulus two thirds do not come through.
-  vec3 ground = part == 5 ? ground_radiance_under(0.67 * cloud.box_high.w) : vec3(0.0);
+  vec3 ground = part == 5 ? ground_radiance_under(0.67 * cloud.volume.z) : vec3(0.0);
   bool clear = int(frame.sky.w) == 2;
   vec3 sum = vec3(0.0);
   float count = 0.0;

@@ -3,12 +3,14 @@
 #define SHARED_CLOUD_BLOCK
 #include "shared/block.glsl"
 
-/* layer: bottom altitude, top altitude, 1 / thickness, kind as core's VolumeKind.
+/* layer: bottom altitude, top altitude, 1 / thickness, kind as core's VolumeKind (vdb for all that comes from a file).
    tile: 1 / size east, 1 / size north (1/m), offset east, north (tiles) of the point below the camera.
-   box_low, box_high: corners of the volume relative to the point below the camera (not curved), w of low: tiles?, of high: cloud cover.
+   box_low, box_high: corners of the volume relative to the point below the camera (not curved), w of low: tiles?, of high: 0.
+   volume: longest small step (m), bent with the planet?, cloud cover (0..1), 0.
    shape: threshold, edge softness, variation amount, shift of the tile by the variation (tiles).
    weights: of the four shape channels. variation: 1 / period (1/m), offset east, north (periods), 0.
-   detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, sample spacing from which it is averaged (m), the same for its finest part, 0.
+   detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, sample spacing from which it is averaged (m), the same for its finest part;
+   change of the shape for each metre between samples (1/m).
    medium: extinction (1/m), scattering (1/m), ambient scale, phase kind. phase: g, second g, second weight, light function.
    olajos: attenuation, in-scatter, gain, 0.
    octave_weight_low/high, octave_extinction_low/high, octave_asymmetry_low/high: of octaves 0..3 and 4..7; weight 0: unused.
@@ -21,6 +23,7 @@
   F(vec4, tile) \
   F(vec4, box_low) \
   F(vec4, box_high) \
+  F(vec4, volume) \
   F(vec4, shape) \
   F(vec4, weights) \
   F(vec4, variation) \

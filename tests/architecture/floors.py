@@ -11,11 +11,12 @@ FLOORS = {
     "encode": {"core"},
     "wire": {"core", "settings"},
     "gpu": {"core"},
-    "bake": {"core", "gpu"},
+    "vdb": {"core"},
+    "bake": {"core", "gpu", "vdb"},
     "net": {"core", "stream", "wire", "settings"},
     "render": {"core", "gpu", "bake"},
     "bench": {"core", "settings", "stream", "encode", "wire", "gpu", "bake", "render"},
-    "app": {"core", "settings", "stream", "encode", "wire", "gpu", "bake", "net", "render", "bench"},
+    "app": {"core", "settings", "stream", "encode", "wire", "gpu", "vdb", "bake", "net", "render", "bench"},
     "viewer": {"core", "settings", "wire"},
 }
 # A library's headers and calls, and the folders that own it.
@@ -26,6 +27,7 @@ LIBRARIES = [
     ("TurboJPEG", r"turbojpeg\.h", r"\btj[A-Z]\w*\s*\(", {"encode", "viewer"}),
     ("libpng", r"png\.h", r"\bpng_\w+\s*\(", {"encode", "bake", "viewer"}),
     ("OpenEXR", r"(OpenEXR/|Imf|Imath)", r"\bOPENEXR_IMF_NAMESPACE\b", {"encode", "bake"}),
+    ("OpenVDB", r"openvdb/", r"\bopenvdb::", {"vdb"}),
     ("libarchive", r"archive(_entry)?\.h", r"\barchive_\w+\s*\(", {"encode"}),
     ("CLI11", r"CLI/", r"\bCLI::", {"app", "viewer"}),
     ("spdlog", r"spdlog/", r"\bspdlog::", {"core"}),

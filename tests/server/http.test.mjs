@@ -221,7 +221,7 @@ test('height maps: only bare names, and one that cannot be used is told', async 
     assert.equal(refused.json().pointer, '/cloudscape/ground/terrain/height_map');
   }
   const missing = await described(stills(''), post(land('none.png')));
-  assert.equal(missing.status, 500);
+  assert.equal(missing.status, 422);
   assert.match(missing.json().detail, /'none\.png'.*--height-map-dir/);
   assert.equal((await described(stills())).status, 200, 'and the server goes on');
 });

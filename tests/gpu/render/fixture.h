@@ -15,9 +15,10 @@ namespace cloudscape::render {
 
 // Everything that renders, on this thread, from birth to death.
 struct Stack {
-  explicit Stack(gpu::PassExecution execution = gpu::PassExecution::automatic, std::filesystem::path height_maps = {})
+  explicit Stack(gpu::PassExecution execution = gpu::PassExecution::automatic, std::filesystem::path height_maps = {},
+                 std::filesystem::path volumes = {})
       : context({.execution = execution}),
-        bakes(shaders, bake::BakeCache({}, 0), std::uint64_t{1} << 30),
+        bakes(shaders, bake::BakeCache({}, 0), std::uint64_t{1} << 30, {}, std::move(volumes)),
         renderer(context, shaders, bakes, std::move(height_maps)) {}
   gpu::Context context;
   gpu::ShaderLibrary shaders;

@@ -196,6 +196,8 @@ TEST_F(Blocks, LieAsTheDriverLaysThem) {
   EXPECT_EQ(noise.program().block_offsets("TerrainBakeBlock"), bake::TerrainBakeBlock::offsets());
   const gpu::VolumePass shape(shaders, "bake/shape.comp");
   EXPECT_EQ(shape.program().block_offsets("BakeBlock"), bake::BakeBlock::offsets());
+  const gpu::VolumePass density(shaders, "render/density.comp");
+  EXPECT_EQ(density.program().block_offsets("DensityBlock"), DensityBlock::offsets());
 }
 
 }  // namespace
