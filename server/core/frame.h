@@ -8,6 +8,7 @@
 
 #include "core/cloudscape.h"
 #include "core/quality.h"
+#include "core/tracing.h"
 
 namespace cloudscape {
 
@@ -30,6 +31,7 @@ struct FrameRequest {
   March march;
   ImageSize size_px;
   RenderQuality quality;
+  Tracing tracing;  // where the quality's technique is path tracing
   double time_s = 0.0;
   FrameContent content = FrameContent::display;
   StreamId stream = 0;
@@ -50,6 +52,7 @@ struct Frame {
   std::vector<std::uint8_t> display_rgba;  // width * height * 4, top row first; empty for radiance
   std::vector<float> radiance_rgba;        // linear; A = 1 - cloud transmittance; empty for display
   std::vector<float> depth_m;              // along the ray to cloud or ground, infinity for sky; empty for display
+  std::vector<float> standard_error_rgb;   // of the radiance, as the mean of its samples; empty unless path-traced
   FrameTimings timings;
 };
 

@@ -22,6 +22,12 @@ glm::dvec3 direction_of(double azimuth_deg, double elevation_deg);
 // What the march mixes the shape texture's finer channels in with.
 std::array<double, 3> mixing_weights(const Cloudscape& sky);
 
+// How fast the slow change of coverage moves the tile (tiles a metre) and the threshold (a metre), at most.
+struct LandSlopes {
+  double shift_per_m = 0, threshold_per_m = 0;
+};
+LandSlopes land_slopes(const Cloudscape& sky, const bake::BakedCloudscape& baked);
+
 // `sample`: index in the average that the frame belongs to; 0 looks through the middle of the pixel.
 FrameBlock frame_block(const FrameRequest& request, int sample);
 CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape& baked);

@@ -8,9 +8,10 @@
 #include <vector>
 
 namespace cloudscape::render {
-using glm::ivec4, glm::vec4;
+using glm::ivec4, glm::uvec4, glm::vec4;
 #include "shared/bloom_block.glsl"
 #include "shared/cloud_block.glsl"
 #include "shared/frame_block.glsl"
 #include "shared/terrain_block.glsl"
+#include "shared/trace_block.glsl"
 }  // namespace cloudscape::render

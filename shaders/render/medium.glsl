@@ -85,6 +85,12 @@ float analytic_density(vec3 p) {
   return exp(-0.5 * dot(d, d));
 }
 
+// Density 0..1 with all its detail, where the medium can be (`medium_stretch`): what a march smooths by the spacing of its samples.
+float density_at(vec3 p) {
+  if (volume_kind() != volume_noise) return analytic_density(p);
+  return density_of(shape_above_threshold(p, land_at(p)), erosion_at(p, height_in_layer(p), true), 0.0);
+}
+
 // Up to two stretches of a ray: from begin to end without the gap.
 struct Stretch {
   float begin, gap_begin, gap_end, end;
