@@ -31,12 +31,12 @@ struct FrameRequest {
   March march;
   ImageSize size_px;
   RenderQuality quality;
-  Tracing tracing;  // where the quality's technique is path tracing
   double time_s = 0.0;
   FrameContent content = FrameContent::display;
   StreamId stream = 0;
   std::uint64_t sequence = 0;  // of the frame in its stream
   int first_sample = 0;        // 0 starts anew; n continues the average that the stream's frames before have built
+  Tracing tracing;             // where the quality's technique is path tracing
 };
 
 struct FrameTimings {
@@ -52,8 +52,8 @@ struct Frame {
   std::vector<std::uint8_t> display_rgba;  // width * height * 4, top row first; empty for radiance
   std::vector<float> radiance_rgba;        // linear; A = 1 - cloud transmittance; empty for display
   std::vector<float> depth_m;              // along the ray to cloud or ground, infinity for sky; empty for display
-  std::vector<float> standard_error_rgb;   // of the radiance, as the mean of its samples; empty unless path-traced
   FrameTimings timings;
+  std::vector<float> standard_error_rgb;  // of the radiance, as the mean of its samples; empty unless path-traced
 };
 
 enum class ImageFormat { jpeg, png, exr };

@@ -51,4 +51,9 @@ constexpr RenderQuality render_quality(Quality quality) {
   return {};
 }
 
+// What a stream is refined to: paths are traced for pictures that somebody waits for, not for views that may move.
+constexpr Quality marched(Quality quality) {
+  return render_quality(quality).technique == Technique::march ? quality : Quality::finest;
+}
+
 }  // namespace cloudscape

@@ -118,7 +118,8 @@ bool PathTracer::advance(Trace& trace, const TracedScene& scene) {
 void PathTracer::dispatch(Trace& trace, const TracedScene& scene) {
   const auto start = Clock::now();
   const int wanted = context_.device().software ? static_cast<int>(slice_ms * entries_per_ms_) : trace.slot_count;
-  const int entries = std::min(std::max(wanted, gpu::StoragePass::group), trace.listed - trace.next_entry);
+  const int entries =
+      std::min({std::max(wanted, gpu::StoragePass::group), most_entries_, trace.listed - trace.next_entry});
   const int pixels = trace.size_px.width * trace.size_px.height;
   TraceBlock block;
   block.work = {trace.next_entry, entries, pixels, trace.wave_end};
@@ -150,6 +151,7 @@ void PathTracer::end_sweep(Trace& trace) {
   trace.counts.flights += counters.flights;
   trace.counts.above_majorant += counters.above_majorant;
   trace.listed = static_cast<int>(counters.listed);
+  if (getenv("TRACE_DEBUG")) fprintf(stderr, "sweep: listed %u samples %u flights %u above %u\n", counters.listed, counters.samples, counters.flights, counters.above_majorant);
   trace.list = 1 - trace.list;
   trace.next_entry = 0;
   trace.counters.upload(bytes_of(Counters{.next_pixel = counters.next_pixel}));

@@ -61,6 +61,8 @@ class PathTracer {
   // The mean so far into `target`, and its standard error (rgba32f). Only between waves: when `advance` was true.
   void resolve(const Trace& trace, const Accumulation& target, const gpu::Texture& standard_error);
   void reload();
+  // No more paths a slice than this; it changes no pixel.
+  void limit_slices(int paths) { most_entries_ = paths; }
 
  private:
   const gpu::StoragePass& pass_for(const TracedScene& scene);
@@ -75,6 +77,7 @@ class PathTracer {
   gpu::ScreenPass resolve_;
   std::array<std::optional<gpu::StoragePass>, 2> passes_;  // without and with terrain; compiled when first used
   gpu::UniformBlock<TraceBlock> block_;
+  int most_entries_ = 1 << 30;
   double entries_per_ms_ = 50;  // measured; it sizes the slices and changes no pixel
 };
 

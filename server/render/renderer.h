@@ -60,7 +60,7 @@ class Renderer {
   std::vector<StreamId> remembered() const;  // streams that something is kept for
   void reload_shaders();
   std::size_t history_bytes() const;
-  const PathTracer& tracer() const { return tracer_; }
+  PathTracer& tracer() { return tracer_; }
 
  private:
   struct History {

@@ -13,10 +13,14 @@ struct Bound {
   float free_m;
 };
 
-// Where the ray can meet the medium. A tile that stands alone ends at its sides.
+// Where the ray can meet the medium. What goes through the planet does not come up again, even where there is no ground; and a
+// tile that stands alone ends at its sides.
 Stretch traced_stretch(vec3 origin, vec3 direction) {
   Stretch found = medium_stretch(origin, direction);
-  if (volume_kind() != volume_noise || cloud.box_low.w != 0.0) return found;
+  if (volume_kind() != volume_noise) return found;
+  vec2 planet = intersect_altitude(origin, direction, 0.0);
+  if (planet.x <= planet.y && planet.x > 0.0) found.end = min(found.end, planet.x);
+  if (cloud.box_low.w != 0.0) return found;
   vec2 sides = intersect_box(origin, direction, vec3(cloud.box_low.xy, -no_hit_m), vec3(cloud.box_high.xy, no_hit_m));
   found.begin = max(found.begin, sides.x);
   found.end = min(found.end, sides.y);

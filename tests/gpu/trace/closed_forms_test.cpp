@@ -5,7 +5,7 @@ namespace cloudscape::render {
 namespace {
 
 constexpr double g = 0.5;
-using Traced = RenderTest;
+using Traced = TraceTest;
 
 Cloudscape lit_from(Cloudscape sky, double azimuth_deg, double elevation_deg) {
   sky.medium.phase = {PhaseKind::henyey_greenstein, g};

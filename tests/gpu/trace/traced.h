@@ -7,18 +7,23 @@
 
 namespace cloudscape::render {
 
-// A mean over a picture with its standard error, red only.
+class TraceTest : public RenderTest {
+ public:
+  static Frame traced(const FrameRequest& request) { return render(request); }
+};
+
+// The mean of a colour over a picture, with its standard error.
 struct Measured {
   double mean = 0, error = 0;
   double over(double expected) const { return mean / expected; }
 };
 
-inline Measured measured(const Frame& frame) {
+inline Measured measured(const Frame& frame, std::size_t colour = 0) {
   Measured m;
   const std::size_t pixels = frame.depth_m.size();
   for (std::size_t i = 0; i < pixels; ++i) {
-    m.mean += frame.radiance_rgba[4 * i] / static_cast<double>(pixels);
-    m.error += std::pow(frame.standard_error_rgb[3 * i] / static_cast<double>(pixels), 2);
+    m.mean += frame.radiance_rgba[4 * i + colour] / static_cast<double>(pixels);
+    m.error += std::pow(frame.standard_error_rgb[3 * i + colour] / static_cast<double>(pixels), 2);
   }
   m.error = std::sqrt(m.error);
   return m;
