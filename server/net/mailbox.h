@@ -24,7 +24,12 @@ struct RenderFailed {
   StreamId stream_or_still = 0;
   std::string message;
 };
-using Mail = std::variant<RendererInfo, FrameArrived, StillArrived, RenderFailed, JobNews>;
+struct SamplesTaken {
+  StreamId still = 0;
+  double share = 0;
+  int samples = 0;
+};
+using Mail = std::variant<RendererInfo, FrameArrived, StillArrived, RenderFailed, SamplesTaken, JobNews>;
 
 // Thread-safe. Bounded by what the scheduler lets out: a few frames a stream and a job, and its queue of stills.
 class Mailbox {

@@ -15,7 +15,7 @@ using gpu::Binding, gpu::Format, gpu::Texture;
 
 constexpr double slice_ms = 50;  // tuned: as a marched frame's slices
 // tuned: so many that the state is seldom loaded and stored, so few that a slice stays short.
-constexpr int rounds = 16, flights = 4;
+constexpr int rounds = 16, flights = 8;
 constexpr int most_slots = 1 << 18;   // tuned: enough to fill a large GPU; 38 MB
 constexpr std::size_t slot_bytes = 144;  // shaders/trace/state.glsl
 // Altitude along a ray changes faster than at its beginning by at most its length over the planet's radius, and no ray
@@ -46,6 +46,19 @@ std::vector<float> floats_of(const Texture& texture) {
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 }  // namespace
+
+int mean_samples(const Trace& trace) {
+  const auto pixels = static_cast<std::uint64_t>(trace.size_px.width) * static_cast<std::uint64_t>(trace.size_px.height);
+  return static_cast<int>(trace.counts.samples / pixels);
+}
+
+double share_done(const Trace& trace) {
+  double share = static_cast<double>(mean_samples(trace)) / trace.goal.samples;
+  if (trace.goal.time_budget_s) share = std::max(share, trace.stand.seconds / *trace.goal.time_budget_s);
+  if (trace.goal.noise_target && trace.stand.relative_error > 0)
+    share = std::max(share, std::pow(*trace.goal.noise_target / trace.stand.relative_error, 2));
+  return std::min(share, 1.0);
+}
 
 PathTracer::PathTracer(const gpu::Context& context, gpu::ShaderLibrary& shaders)
     : context_(context),
@@ -151,7 +164,6 @@ void PathTracer::end_sweep(Trace& trace) {
   trace.counts.flights += counters.flights;
   trace.counts.above_majorant += counters.above_majorant;
   trace.listed = static_cast<int>(counters.listed);
-  if (getenv("TRACE_DEBUG")) fprintf(stderr, "sweep: listed %u samples %u flights %u above %u\n", counters.listed, counters.samples, counters.flights, counters.above_majorant);
   trace.list = 1 - trace.list;
   trace.next_entry = 0;
   trace.counters.upload(bytes_of(Counters{.next_pixel = counters.next_pixel}));

@@ -45,6 +45,11 @@ struct Trace {
   bool noise_wanted() const { return goal.noise_target.has_value(); }
 };
 
+// 0..1 of the work, as far as it can be told: a time budget or a noise target may end it sooner.
+double share_done(const Trace& trace);
+// Samples that each pixel has, on average.
+int mean_samples(const Trace& trace);
+
 // Textures that a slice reads, bound as shaders/render has them; blocks of frame, cloud and terrain must be bound.
 struct TracedScene {
   std::vector<gpu::Binding> textures;
