@@ -21,7 +21,7 @@ async function api_error(response) {
 }
 
 export async function api_fetch(path, token, options = {}) {
-  const response = await fetch(new URL(path, document.baseURI), { ...options, headers: authorization(token) });
+  const response = await fetch(new URL(path, document.baseURI), { ...options, headers: { ...options.headers, ...authorization(token) } });
   if (!response.ok) throw await api_error(response);
   return response;
 }

@@ -1,6 +1,7 @@
 // Stills: asks the server for a picture of the current view and saves it, with progress and a way to stop.
 
 import { api_fetch } from './api.js';
+import { reference_body, traced } from './reference.js';
 
 const light_names = ['vertical_fov_deg', 'time_s', 'sun_azimuth_deg', 'sun_elevation_deg', 'exposure_ev', 'tone_curve'];
 
@@ -56,14 +57,16 @@ export class Stills {
   }
 
   // `on_progress(null)` while the server renders, then 0..1. Resolves to the file's name, or to null where cancelled;
-  // throws the server's sentence.
-  async take({ format, quality, scale, on_progress }) {
+  // throws the server's sentence. `samples`: of a path-traced picture, whose progress comes while it is rendered.
+  async take({ format, quality, samples, scale, on_progress }) {
     const [width, height] = this.window_size_px().map(side => Math.round(side * scale));
-    const query = still_query(this.state, { format, quality, width, height });
     this.#abort = new AbortController();
+    const { signal } = this.#abort;
     try {
       on_progress(null);
-      const response = await api_fetch(`api/v1/stills?${query}`, this.token(), { signal: this.#abort.signal });
+      const response = quality === 'reference'
+        ? await traced(reference_body(this.state, { format, samples, width, height }), this.token(), { signal, on_progress })
+        : await api_fetch(`api/v1/stills?${still_query(this.state, { format, quality, width, height })}`, this.token(), { signal });
       const name = `${this.state.chosen.cloudscape}-${width}x${height}.${format}`;
       save(await read_body(response, on_progress), name);
       return name;

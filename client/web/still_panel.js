@@ -5,7 +5,7 @@ export class StillPanel {
     const find = id => root.querySelector(`#${id}`);
     Object.assign(this, {
       form: find('still'), opener: find('still_open'), save: find('still_save'), progress: find('still_progress'),
-      message: find('still_message'), size: find('still_size'), stills, window_size_px,
+      message: find('still_message'), size: find('still_size'), samples: find('still_samples_row'), stills, window_size_px,
     });
     this.opener.addEventListener('click', () => this.toggle());
     this.form.addEventListener('change', () => this.refresh());
@@ -24,12 +24,13 @@ export class StillPanel {
 
   refresh() {
     const [width, height] = this.window_size_px().map(side => Math.round(side * this.#choice().scale));
+    this.samples.hidden = this.#choice().quality !== 'reference';
     this.size.textContent = `${width} × ${height} pixels`;
   }
 
   #choice() {
-    const { format, scale, quality } = Object.fromEntries(new FormData(this.form));
-    return { format, quality, scale: Number(scale) };
+    const { format, scale, quality, samples } = Object.fromEntries(new FormData(this.form));
+    return { format, quality, scale: Number(scale), samples: Number(samples) };
   }
 
   #say(text, failed = false) {

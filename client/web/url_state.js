@@ -11,7 +11,7 @@ const limits = {
   sun_azimuth_deg: [-360, 360], sun_elevation_deg: [-90, 90], exposure_ev: [-20, 20], time_s: [0, 1e6],
 };
 export const tone_curves = ['agx', 'aces', 'reinhard', 'none'];
-export const qualities = ['draft', 'interactive', 'standard', 'high', 'reference'];
+export const qualities = ['draft', 'interactive', 'standard', 'high', 'finest'];
 
 // The characters that fit in a header and in a WebSocket subprotocol alike.
 export function is_token(text) {

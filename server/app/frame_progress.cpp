@@ -18,6 +18,16 @@ std::string time_text(double seconds) {
   return text;
 }
 
+std::string bar_text(double share) {
+  constexpr int width = 30;
+  const int filled = static_cast<int>(width * share);
+  return "[" + std::string(filled, '#') + std::string(width - filled, '.') + "] ";
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace
 
 FrameProgress::FrameProgress(int frames, int kept) : frames_(frames), kept_(kept), terminal_(isatty(STDERR_FILENO)) {
@@ -37,18 +47,34 @@ void FrameProgress::end() {
 }
 
 double FrameProgress::seconds_left() const {
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-  return passed.count() / rendered_ * (frames_ - kept_ - rendered_);
+  return seconds_since(start_) / rendered_ * (frames_ - kept_ - rendered_);
 }
 
 void FrameProgress::show() {
-  constexpr int width = 30;
-  const int done = kept_ + rendered_, filled = static_cast<int>(1.0 * width * done / frames_);
+  const int done = kept_ + rendered_;
   const std::string left = rendered_ == 0 ? "" : ", " + time_text(seconds_left()) + " left";
-  const std::string bar = "[" + std::string(filled, '#') + std::string(width - filled, '.') + "] ";
+  const std::string bar = bar_text(1.0 * done / frames_);
   std::fprintf(stderr, "%s%d of %d frames%s%s", terminal_ ? ("\r" + bar).c_str() : "", done, frames_, left.c_str(),
                terminal_ ? "\x1b[K" : "\n");  // clears what a longer line before left
   std::fflush(stderr);
+}
+
+SampleProgress::SampleProgress() : terminal_(isatty(STDERR_FILENO)) {}
+
+void SampleProgress::show(double share, int samples) {
+  const int tenths = static_cast<int>(10 * share);
+  if (terminal_ ? seconds_since(shown_) < 0.2 : tenths == tenths_) return;  // often enough to be seen moving
+  shown_ = std::chrono::steady_clock::now();
+  tenths_ = tenths;
+  const std::string left =
+      share > 0.02 ? ", " + time_text(seconds_since(start_) * (1 - share) / share) + " left" : "";
+  std::fprintf(stderr, "%s%.0f %%, %d samples%s%s", terminal_ ? ("\r" + bar_text(share)).c_str() : "", 100 * share,
+               samples, left.c_str(), terminal_ ? "\x1b[K" : "\n");
+  std::fflush(stderr);
+}
+
+void SampleProgress::end() {
+  if (terminal_ && shown_ != std::chrono::steady_clock::time_point{}) std::fputc('\n', stderr);
 }
 
 }  // namespace cloudscape::app

@@ -1,4 +1,4 @@
-// How far a sequence is, on stderr: one line rewritten in place on a terminal, a line now and then elsewhere.
+// How far a sequence or a path-traced picture is, on stderr: one line rewritten in place on a terminal, a line now and then elsewhere.
 #pragma once
 #include <chrono>
 
@@ -20,6 +20,19 @@ class FrameProgress {
   const bool terminal_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   int rendered_ = 0;
+};
+
+class SampleProgress {
+ public:
+  SampleProgress();
+  void show(double share, int samples);  // 0..1, and what each pixel has
+  void end();                            // ends the line
+
+ private:
+  const bool terminal_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point shown_{};
+  int tenths_ = 0;
 };
 
 }  // namespace cloudscape::app

@@ -97,6 +97,7 @@ void RenderLoop::advance(GpuStack& stack, const stream::Work& work) {
   try {
     Active& active = active_of(stack, work);
     if (!stack.renderer.advance(*active.job)) {
+      tell_progress(active);
       if (!scheduler_.yield(work)) drop(stack, work.request.stream);
       return;
     }
@@ -109,6 +110,14 @@ void RenderLoop::advance(GpuStack& stack, const stream::Work& work) {
   } catch (const std::exception& error) {
     fail(stack, work, error.what());
   }
+}
+
+void RenderLoop::tell_progress(Active& active) {
+  constexpr auto pause = std::chrono::milliseconds(250);  // tuned: a bar that moves
+  if (!active.job->trace || Clock::now() - active.told < pause) return;
+  active.told = Clock::now();
+  server_.tell_samples(active.work.request.stream, render::share_done(*active.job->trace),
+                       render::mean_samples(*active.job->trace));
 }
 
 void RenderLoop::collect(GpuStack& stack) {

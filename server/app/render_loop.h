@@ -29,6 +29,7 @@ class RenderLoop {
     stream::Work work;
     std::unique_ptr<render::RenderJob> job;
     double queue_ms = 0;  // from wanted until taken
+    std::chrono::steady_clock::time_point told{};  // when last how far it is
   };
   struct Pending {
     stream::Work work;
@@ -39,6 +40,7 @@ class RenderLoop {
   void loop(GpuStack& stack);
   void advance(GpuStack& stack, const stream::Work& work);
   Active& active_of(GpuStack& stack, const stream::Work& work);
+  void tell_progress(Active& active);
   void collect(GpuStack& stack);
   void encode(const stream::Work& work, Frame frame);
   void fail(GpuStack& stack, const stream::Work& work, const std::string& message, int status = 500);

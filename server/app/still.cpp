@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/frame_progress.h"
 #include "app/still_options.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -38,6 +39,15 @@ std::string named_in(settings::CloudscapeLibrary& library, const std::string& na
   return "file";
 }
 
+Frame render(GpuStack& stack, const FrameRequest& request) {
+  SampleProgress progress;
+  auto job = stack.renderer.begin(request);
+  while (!stack.renderer.advance(*job))
+    if (job->trace) progress.show(render::share_done(*job->trace), render::mean_samples(*job->trace));
+  progress.end();
+  return stack.renderer.collect(stack.renderer.finish(std::move(job)));
+}
+
 int run_still(StillOptions options) {
   log::start(options.gpu.log_level);
   look_beside(options.gpu, options.cloudscape.empty() ? options.config : options.cloudscape);
@@ -47,7 +57,7 @@ int run_still(StillOptions options) {
   const settings::StillRequest request = still_request(options);
   settings::check_writable(options.output);
   GpuStack stack(options.gpu, progress_on_stderr());
-  const Frame frame = stack.renderer.render(request.frame);
+  const Frame frame = render(stack, request.frame);
   settings::write_whole_file(options.output, encode::encode(frame, request.encoding).bytes);
   log::info("{}: {} samples, {:.0f} ms", options.output, frame.samples, frame.timings.render_ms);
   return 0;

@@ -28,6 +28,8 @@ class PhaseTables {
   // The table as a sun of this radius shows it. nullptr: it is being computed; ask again. Waits some milliseconds at
   // most, so that asking again and again costs nothing.
   std::shared_ptr<const PhaseTexture> find(const PhaseRecipe& recipe, double sun_radius_deg);
+  // The table itself; nullopt: it is being computed, as above.
+  std::optional<PhaseTable> table_of(const PhaseRecipe& recipe);
   std::size_t jobs() const { return jobs_.size(); }  // tables being computed
 
  private:
@@ -42,7 +44,6 @@ class PhaseTables {
     std::future<std::optional<PhaseTable>> result;
     Clock::time_point asked;  // last
   };
-  std::optional<PhaseTable> table_of(const PhaseRecipe& recipe);
   std::optional<PhaseTable> result_of(const PhaseRecipe& recipe);
   void start(const PhaseRecipe& recipe);
   void drop_the_forgotten();

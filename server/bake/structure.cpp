@@ -23,7 +23,7 @@ StructureBuilder::StructureBuilder(gpu::ShaderLibrary& shaders)
 Texture StructureBuilder::build(const BakedCloudscape& baked, const std::array<double, 3>& weights) const {
   const glm::ivec3 size = baked.structure_size();
   gpu::UniformBlock<StructureBlock> block("structure");
-  block.upload({vec4(1, weights[0], weights[1], weights[2]), ivec4(size, baked.shape().width())});
+  block.upload({vec4(1, weights[0], weights[1], weights[2]), ivec4(size, baked.shape().width()), vec4(0)});
   block.bind();
   Texture now = cells(size, "structure"), next = cells(size, "structure");
   const Binding shape[] = {{0, &baked.shape()}};

@@ -8,6 +8,7 @@
 
 #include "core/cloudscape.h"
 #include "core/quality.h"
+#include "core/tracing.h"
 
 namespace cloudscape {
 
@@ -35,6 +36,7 @@ struct FrameRequest {
   StreamId stream = 0;
   std::uint64_t sequence = 0;  // of the frame in its stream
   int first_sample = 0;        // 0 starts anew; n continues the average that the stream's frames before have built
+  Tracing tracing;             // where the quality's technique is path tracing
 };
 
 struct FrameTimings {
@@ -51,6 +53,7 @@ struct Frame {
   std::vector<float> radiance_rgba;        // linear; A = 1 - cloud transmittance; empty for display
   std::vector<float> depth_m;              // along the ray to cloud or ground, infinity for sky; empty for display
   FrameTimings timings;
+  std::vector<float> standard_error_rgb;  // of the radiance, as the mean of its samples; empty unless path-traced
 };
 
 enum class ImageFormat { jpeg, png, exr };

@@ -7,11 +7,15 @@
 
 namespace cloudscape {
 
-enum class Quality { draft, interactive, standard, high, reference };
+enum class Quality { draft, interactive, standard, high, finest, reference };
 template <>
 struct EnumNames<Quality> {
-  static constexpr std::array<std::string_view, 5> names{"draft", "interactive", "standard", "high", "reference"};
+  static constexpr std::array<std::string_view, 6> names{"draft", "interactive", "standard",
+                                                         "high",  "finest",      "reference"};
 };
+
+// march: along each ray, with a light model. path_tracing: by random paths of light, without bias.
+enum class Technique { march, path_tracing };
 
 struct RenderQuality {
   int max_steps = 160;        // of one view ray
@@ -22,12 +26,13 @@ struct RenderQuality {
   int samples = 1;            // jittered pictures that are averaged
   bool float32 = false;       // 32 bit HDR targets instead of 16
   bool smooth = false;        // a 3x3 mean instead of samples; for 16 bit targets
+  Technique technique = Technique::march;
   bool operator==(const RenderQuality&) const = default;
 };
 
 // tuned: draft answers at once; interactive holds 15 to 25 frames a second at 640x360 on two cores; standard is clean
-// after its samples; high resolves the detail texture; reference has no error that the eye or the closed-form tests can
-// find.
+// after its samples; high resolves the detail texture; finest has no error of the march that the eye or the closed-form
+// tests can find. reference is traced, not marched: it has no error but noise; its steps are what a path takes about.
 constexpr RenderQuality render_quality(Quality quality) {
   switch (quality) {
     case Quality::draft:
@@ -38,10 +43,17 @@ constexpr RenderQuality render_quality(Quality quality) {
       return {256, 22.0, 0.016, 6, 1, 8, false};
     case Quality::high:
       return {400, 12.0, 0.011, 8, 1, 32, false};
-    case Quality::reference:
+    case Quality::finest:
       return {1024, 8.0, 0.004, 24, 1, 64, true};
+    case Quality::reference:
+      return {.max_steps = 256, .samples = 64, .float32 = true, .technique = Technique::path_tracing};
   }
   return {};
+}
+
+// What a stream is refined to: paths are traced for pictures that somebody waits for, not for views that may move.
+constexpr Quality marched(Quality quality) {
+  return render_quality(quality).technique == Technique::march ? quality : Quality::finest;
 }
 
 }  // namespace cloudscape

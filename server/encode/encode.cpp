@@ -28,6 +28,8 @@ void check(const Frame& frame, ImageFormat format) {
   if (format != ImageFormat::exr) return require_size(frame.display_rgba.size(), pixels * 4, frame, "display", name);
   require_size(frame.radiance_rgba.size(), pixels * 4, frame, "radiance", name);
   require_size(frame.depth_m.size(), pixels, frame, "depth", name);
+  if (!frame.standard_error_rgb.empty())
+    require_size(frame.standard_error_rgb.size(), pixels * 3, frame, "standard error", name);
   if (!frame.request.cloudscape) throw Error("A frame without its cloudscape cannot be encoded as EXR.");
 }
 

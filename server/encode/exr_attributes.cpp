@@ -42,6 +42,12 @@ void add_sun(Imf::Header& header, const Sun& sun) {
   header.insert("sun_irradiance", Imf::V3fAttribute(Imath::V3f(irradiance)));
 }
 
+// A path-traced picture has no steps, but what its random numbers depend on.
+void add_tracing(Imf::Header& header, const Tracing& tracing) {
+  add(header, "trace_seed", static_cast<double>(tracing.seed));
+  add(header, "trace_max_scattering_order", tracing.max_scattering_order.value_or(0));
+}
+
 void add_quality(Imf::Header& header, const RenderQuality& quality) {
   add(header, "quality_max_steps", quality.max_steps);
   add(header, "quality_step_m", quality.step_m);
@@ -58,7 +64,10 @@ void add_attributes(Imf::Header& header, const Frame& frame) {
   const FrameRequest& request = frame.request;
   add_camera(header, request.pose, request.lens);
   add_sun(header, request.cloudscape->sun);
-  add_quality(header, request.quality);
+  if (request.quality.technique == Technique::path_tracing)
+    add_tracing(header, request.tracing);
+  else
+    add_quality(header, request.quality);
   add(header, "samples", frame.samples);
   add(header, "time_s", request.time_s);
   add(header, "exposure_ev", request.display.exposure_ev);

@@ -1,4 +1,4 @@
-// /api/v1/sequences and /api/v1/jobs: work that is ordered, looked after, fetched and deleted.
+// /api/v1/sequences, /api/v1/references and /api/v1/jobs: work that is ordered, looked after, fetched and deleted.
 #include <nlohmann/json.hpp>
 
 #include "net/byte_range.h"
@@ -6,6 +6,7 @@
 #include "net/mapped_file.h"
 #include "net/problem.h"
 #include "net/routes.h"
+#include "net/single_file.h"
 #include "settings/sequence_request.h"
 
 namespace cloudscape::net {
@@ -29,7 +30,9 @@ std::string job_json(const Job& job, const Jobs& jobs) {
                               {"state", name_of(job.state)},
                               {"frames_done", job.written},
                               {"frames", job.plan.frames},
-                              {"progress", static_cast<double>(job.written) / job.plan.frames},
+                              {"samples_done", job.samples},
+                              {"samples", job.plan.samples},
+                              {"progress", job.progress()},
                               {"created", date_text(job.created)},
                               {"bytes", job.bytes},
                               {"result", nullptr},
@@ -56,6 +59,7 @@ JobPlan plan_of(settings::SequenceRequest request, const JobParts& parts) {
   JobPlan plan;
   plan.kind = "sequence";
   plan.frames = request.frames();
+  plan.samples = request.still.frame.quality.samples;
   plan.encoding = request.still.encoding;
   plan.open_result = [open = parts.open_container, layout](const auto& file) { return open(file, layout); };
   plan.media_type = avi ? "video/x-msvideo" : "application/zip";
@@ -66,16 +70,46 @@ JobPlan plan_of(settings::SequenceRequest request, const JobParts& parts) {
   return plan;
 }
 
+// One picture, traced: the result is its file.
+JobPlan plan_of(settings::StillRequest request) {
+  JobPlan plan;
+  plan.kind = "reference";
+  plan.samples = request.frame.quality.samples;
+  plan.encoding = request.encoding;
+  plan.open_result = open_single_file;
+  plan.media_type = media_type(request.encoding.format);
+  const std::string_view format = name_of(request.encoding.format);
+  plan.file_name = "reference." + std::string(format == "jpeg" ? "jpg" : format);
+  plan.frame = [frame = std::move(request.frame)](int) { return frame; };
+  return plan;
+}
+
+Answer order(const Request& request, Site& site, JobPlan plan) {
+  const auto ordered = site.jobs.order(request.client, std::move(plan));
+  if (const auto* refused = std::get_if<Response>(&ordered)) return *refused;
+  const Job& job = *std::get<const Job*>(ordered);
+  return job_answer(202, job, site.jobs).with("location", link_of(job));
+}
+
+Answer post_reference(const Request& request, Site& site) {
+  if (!is_json(request)) return problem(415, "The body must be application/json.");
+  if (auto refused = refuse_unready(site)) return *refused;
+  if (auto refused = refuse_rate(request, site)) return *refused;
+  auto limits = settings::still_limits(site.parts.settings);
+  limits.max_gigasteps = site.parts.settings.max_job_gigasteps;
+  auto still = settings::still_from_json(request.body, site.parts.cloudscapes, limits);
+  if (still.frame.quality.technique != Technique::path_tracing)
+    return problem(400, "/image/quality must be reference: other qualities are rendered by POST /api/v1/stills.");
+  return order(request, site, plan_of(std::move(still)));
+}
+
 Answer post_sequence(const Request& request, Site& site) {
   if (!is_json(request)) return problem(415, "The body must be application/json.");
   if (auto refused = refuse_unready(site)) return *refused;
   if (auto refused = refuse_rate(request, site)) return *refused;
   auto sequence = settings::sequence_from_json(request.body, site.parts.cloudscapes,
                                                settings::sequence_limits(site.parts.settings));
-  const auto ordered = site.jobs.order(request.client, plan_of(std::move(sequence), site.parts.jobs));
-  if (const auto* refused = std::get_if<Response>(&ordered)) return *refused;
-  const Job& job = *std::get<const Job*>(ordered);
-  return job_answer(202, job, site.jobs).with("location", link_of(job));
+  return order(request, site, plan_of(std::move(sequence), site.parts.jobs));
 }
 
 Answer get_job(const std::string& id, Site& site) {
@@ -116,6 +150,9 @@ void add_job_routes(Router& router, Site& site) {
   router.add({"/api/v1/sequences", false, {{Method::post, [&site](const Request& request, auto&) {
                                               return post_sequence(request, site);
                                             }}}});
+  router.add({"/api/v1/references", false, {{Method::post, [&site](const Request& request, auto&) {
+                                               return post_reference(request, site);
+                                             }}}});
   router.add({"/api/v1/jobs/{id}",
               false,
               {{Method::get, [&site](auto&, const std::string& id) { return get_job(id, site); }},

@@ -155,6 +155,13 @@ void Jobs::submit(Job& job) {
   }
 }
 
+void Jobs::note_samples(StreamId still, double share, int samples) {
+  Job* job = find_by_still(still);
+  // Of frames that are rendered side by side, the first.
+  if (!job || job->rendering.at(still) != job->given) return;
+  job->share = share, job->samples = samples;
+}
+
 void Jobs::deliver(StreamId still, EncodedFrame image) {
   Job* job = find_by_still(still);
   if (!job) return;
@@ -204,6 +211,7 @@ void Jobs::read(const JobNews& news) {
     end(*job, JobState::done);
   } else {
     metrics_.count(metric::job_frames);
+    job->share = 0;
     if (++job->written == job->plan.frames) finish_result(*job);
   }
   go_on();

@@ -8,6 +8,7 @@
 //
 // All on the network thread; files are written through the disk queue.
 #pragma once
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <list>
@@ -31,12 +32,13 @@ std::string_view name_of(JobState state);
 
 // What a kind of job is to the jobs.
 struct JobPlan {
-  std::string kind;  // "sequence"
+  std::string kind;  // "sequence" or "reference"
   int frames = 1;
   std::function<FrameRequest(int index)> frame;  // 0 .. frames - 1
   Encoding encoding;
   std::function<std::unique_ptr<FrameContainer>(const std::filesystem::path&)> open_result;  // on the disk's thread
   std::string media_type, file_name;                                                         // of the result
+  int samples = 1;                                                                           // of a frame, at most
 };
 
 using JobTime = std::chrono::system_clock::time_point;
@@ -49,12 +51,15 @@ struct Job {
   JobTime created, ended{};
   int submitted = 0, given = 0, written = 0;  // frames: to the scheduler, to the disk, on the disk
   std::uint64_t bytes = 0;                    // of the result, so far
+  double share = 0;                           // of the frame under way, where it is path-traced
+  int samples = 0;                            // that each of its pixels has
   std::filesystem::path file;
 
   std::map<StreamId, int> rendering;    // frames by their stills
   std::map<int, EncodedFrame> arrived;  // that a frame before is missing for
   struct Result;
   std::shared_ptr<Result> result;  // the file while it is written: used on the disk's thread only
+  double progress() const { return std::min(1.0, (written + share) / plan.frames); }
   bool active() const { return state == JobState::queued || state == JobState::rendering; }
 };
 
@@ -81,6 +86,7 @@ class Jobs {
   JobTime expires(const Job& job) const { return job.ended + kept_; }
 
   bool owns(StreamId still) const;  // it is a frame of a job at work
+  void note_samples(StreamId still, double share, int samples);
   void deliver(StreamId still, EncodedFrame image);
   void fail(StreamId still, const std::string& message);
   void read(const JobNews& news);

@@ -25,7 +25,12 @@ struct RenderFailed {
   std::string message;
   int status = 500;
 };
-using Mail = std::variant<RendererInfo, FrameArrived, StillArrived, RenderFailed, JobNews>;
+struct SamplesTaken {
+  StreamId still = 0;
+  double share = 0;
+  int samples = 0;
+};
+using Mail = std::variant<RendererInfo, FrameArrived, StillArrived, RenderFailed, SamplesTaken, JobNews>;
 
 // Thread-safe. Bounded by what the scheduler lets out: a few frames a stream and a job, and its queue of stills.
 class Mailbox {

@@ -164,6 +164,7 @@ Json paths(const settings::ServerSettings& settings) {
           {"/api/v1/stills", stills(settings)},
           {"/api/v1/stills/named", named_stills()},
           {"/api/v1/sequences", sequences()},
+          {"/api/v1/references", references()},
           {"/api/v1/jobs/{id}", job()},
           {"/api/v1/jobs/{id}/result", job_result()}};
 }

@@ -19,6 +19,15 @@ const std::vector<std::pair<std::string, std::string>> unknown_job{
     {"401", "The token is missing or wrong."},
     {"404", "There is no such job: it was deleted, has expired, or never was."}};
 
+const std::vector<std::pair<std::string, std::string>> job_problems{
+    {"400", "A wrong value; `pointer` says which."},
+    {"401", "The token is missing or wrong."},
+    {"403", "The page is another site's."},
+    {"404", "No such cloudscape or path."},
+    {"422", "Above a limit of this server; `detail` names it."},
+    {"429", "This client has too many jobs; Retry-After says when again."},
+    {"503", "Starting, stopping, or no room for another job; see Retry-After."}};
+
 // The lens without what the path gives.
 Json lens_schema() {
   Json lens = settings::detail::schema_of(Lens{});
@@ -51,10 +60,12 @@ Json sequence_body() {
 Json job_schema() {
   const Json count{{"type", "integer"}, {"minimum", 0}};
   Json properties{{"id", text()},
-                  {"kind", {{"type", "string"}, {"enum", {"sequence"}}}},
+                  {"kind", {{"type", "string"}, {"enum", {"sequence", "reference"}}}},
                   {"state", {{"type", "string"}, {"enum", {"queued", "rendering", "done", "failed", "cancelled"}}}},
                   {"frames_done", count},
                   {"frames", count},
+                  {"samples_done", count},
+                  {"samples", count},
                   {"progress", {{"type", "number"}, {"minimum", 0}, {"maximum", 1}}},
                   {"created", text()},
                   {"bytes", {{"type", "integer"}, {"description", "Of the result, so far."}}},
@@ -73,14 +84,20 @@ Json sequences() {
                         with_problems(with_problems({{"202", answer("The job; Location says where to ask for it.",
                                                                     content("application/json", reference("Job")))}},
                                                     body_problems),
-                                      {{"400", "A wrong value; `pointer` says which."},
-                                       {"401", "The token is missing or wrong."},
-                                       {"403", "The page is another site's."},
-                                       {"404", "No such cloudscape or path."},
-                                       {"422", "Above a limit of this server; `detail` names it."},
-                                       {"429", "This client has too many jobs; Retry-After says when again."},
-                                       {"503", "Starting, stopping, or no room for another job; see Retry-After."}}));
+                                      job_problems));
   post["requestBody"] = {{"required", true}, {"content", content("application/json", reference("SequenceRequest"))}};
+  return {{"post", post}};
+}
+
+Json references() {
+  Json post = operation(
+      "postReference", "Orders a still of the quality reference, which is traced while nobody else wants the renderer.",
+      with_problems(
+          with_problems({{"202", answer("The job; Location says where to ask for it. Its result is the picture.",
+                                        content("application/json", reference("Job")))}},
+                        body_problems),
+          job_problems));
+  post["requestBody"] = {{"required", true}, {"content", content("application/json", reference("StillRequest"))}};
   return {{"post", post}};
 }
 
@@ -96,7 +113,11 @@ Json job() {
 
 Json job_result() {
   const Json binary{{"type", "string"}, {"contentEncoding", "binary"}};
-  const Json files{{"application/zip", {{"schema", binary}}}, {"video/x-msvideo", {{"schema", binary}}}};
+  const Json files{{"application/zip", {{"schema", binary}}},
+                   {"video/x-msvideo", {{"schema", binary}}},
+                   {"image/jpeg", {{"schema", binary}}},
+                   {"image/png", {{"schema", binary}}},
+                   {"image/x-exr", {{"schema", binary}}}};
   Json get = operation("getJobResult", "The file that a job has made. One range of bytes may be asked for.",
                        with_problems(with_problems({{"200", answer("The file, with a strong ETag.", files)},
                                                     {"206", answer("The part that Range names.", files)},

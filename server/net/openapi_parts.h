@@ -43,6 +43,7 @@ inline Json with_cloudscape(Json schema, const Json& required) {
 
 // openapi_jobs.cpp
 Json sequences();
+Json references();
 Json job();
 Json job_result();
 Json sequence_body();

@@ -40,6 +40,7 @@ struct Server::State {
   void read(StillArrived& mail);
   void read(JobNews& news) { site.jobs.read(news); }
   void read(RenderFailed& mail);
+  void read(SamplesTaken& mail) { site.jobs.note_samples(mail.still, mail.share, mail.samples); }
   StreamSession* session(StreamId stream);
 
   Site site;
@@ -197,6 +198,11 @@ void Server::deliver_frame(const stream::Work& work, const FrameTimings& timings
 
 void Server::deliver_still(StreamId still, EncodedFrame image) {
   state_->mailbox.put(StillArrived{still, std::move(image)});
+  state_->wake();
+}
+
+void Server::tell_samples(StreamId still, double share, int samples) {
+  state_->mailbox.put(SamplesTaken{still, share, samples});
   state_->wake();
 }
 

@@ -54,6 +54,8 @@ class Server {
   // and counted.
   void deliver_frame(const stream::Work& work, const FrameTimings& timings, EncodedFrame frame);
   void deliver_still(StreamId still, EncodedFrame image);
+  // How far a path-traced still is: 0..1 of its work, and the samples that each pixel has.
+  void tell_samples(StreamId still, double share, int samples);
   // `status`: of HTTP, for whoever waits for a still.
   void fail(StreamId stream_or_still, const std::string& message, int status = 500);
   static std::size_t frame_front();  // LWS_PRE + wire::frame_header_bytes

@@ -12,18 +12,18 @@ namespace {
 constexpr std::size_t max_stills_of_client = 4;
 constexpr int retry_after_s = 2;  // tuned: about one still at standard quality on two cores
 
-std::string_view media_type(ImageFormat format) {
-  // OpenEXR has no registered type; image/x-exr is what ImageMagick and browsers' file managers use.
-  constexpr std::string_view types[] = {"image/jpeg", "image/png", "image/x-exr"};
-  return types[static_cast<std::size_t>(format)];
-}
-
 Response picture(const std::shared_ptr<const EncodedFrame>& image, const std::string& etag) {
   Response response{200, std::string(media_type(image->format)), {}, Body::of(image), false};
   return response.with("etag", etag).with("cache-control", "private, no-cache");
 }
 
 }  // namespace
+
+std::string_view media_type(ImageFormat format) {
+  // OpenEXR has no registered type; image/x-exr is what ImageMagick and browsers' file managers use.
+  constexpr std::string_view types[] = {"image/jpeg", "image/png", "image/x-exr"};
+  return types[static_cast<std::size_t>(format)];
+}
 
 Answer StillDesk::order(const std::string& client, const settings::StillRequest& still, const std::string& etag) {
   if (const auto cached = cache_.find(etag)) {

@@ -17,6 +17,8 @@
 
 namespace cloudscape::net {
 
+std::string_view media_type(ImageFormat format);
+
 class StillDesk {
  public:
   using Ready = std::function<void(std::uint64_t waiter, Response)>;

@@ -1,6 +1,7 @@
 // /api/v1/stills: one picture, by query or by JSON body.
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "core/version.h"
 #include "net/header_list.h"
 #include "net/problem.h"
@@ -16,10 +17,25 @@ std::string etag_of(const settings::StillRequest& still, const Site& site) {
   return quoted_etag(still.canonical + '\n' + files + '\n' + version + '\n' + site.renderer->renderer);
 }
 
+// What takes longer than a client waits for an answer is refused before it is begun.
+void check_traced(const FrameRequest& frame) {
+  if (frame.quality.technique != Technique::path_tracing) return;
+  // tuned: half a minute and a minute of two cores.
+  constexpr double most_budget_s = 30, most_gigasteps = 1;
+  const double gigasteps =
+      1e-9 * frame.size_px.width * frame.size_px.height * frame.quality.samples * frame.quality.max_steps;
+  if (frame.tracing.time_budget_s.value_or(1e9) <= most_budget_s || gigasteps <= most_gigasteps) return;
+  throw OverLimit("/quality",
+                  "is reference, and so much of it takes longer than this answer may: POST the still "
+                  "to /api/v1/references, which answers with a job, or ask for fewer samples or pixels, or for "
+                  "a time_budget_s of 30 or less");
+}
+
 Answer order(const Request& request, Site& site, const settings::StillRequest& still) {
   const std::string etag = etag_of(still, site);
   if (none_match_holds(request.if_none_match, etag))
     return empty_response(304).with("etag", etag).with("cache-control", "private, no-cache");
+  check_traced(still.frame);
   return site.stills.order(request.client, still, etag);
 }
 

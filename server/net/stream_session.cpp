@@ -136,7 +136,7 @@ void StreamSession::offer(const stream::Work& work, const FrameTimings& timings,
   if (closing() || frame.front < wire::frame_header_bytes) return;
   const std::size_t first = frame.front - wire::frame_header_bytes, image_bytes = frame.bytes.size() - frame.front;
   const wire::FrameHeader header =
-      wire::frame_header(Frame{work.request, 0, {}, {}, {}, timings}, work.frame_id, work.pose_sequence,
+      wire::frame_header(Frame{work.request, 0, {}, {}, {}, timings, {}}, work.frame_id, work.pose_sequence,
                          work.quality_stage, frame.encode_ms, image_bytes);
   wire::write(header,
               std::span<std::uint8_t, wire::frame_header_bytes>(frame.bytes.data() + first, wire::frame_header_bytes));

@@ -26,6 +26,12 @@ std::array<double, 3> mixing_weights(const Cloudscape& sky);
 // the file or the document puts it. Throws UnusableFile if that box is none.
 FrameRequest as_marched(const FrameRequest& request, const bake::BakedCloudscape& baked);
 
+// How fast the slow change of coverage moves the tile (tiles a metre) and the threshold (a metre), at most.
+struct LandSlopes {
+  double shift_per_m = 0, threshold_per_m = 0;
+};
+LandSlopes land_slopes(const Cloudscape& sky, const bake::BakedCloudscape& baked);
+
 // `sample`: index in the average that the frame belongs to; 0 looks through the middle of the pixel.
 FrameBlock frame_block(const FrameRequest& request, int sample);
 // Of the frame block: sun, moon, stars, and what lights the clouds.

@@ -163,6 +163,15 @@ std::array<double, 3> mixing_weights(const Cloudscape& sky) {
   return {channels[1].weight, channels[2].weight, channels[3].weight};
 }
 
+LandSlopes land_slopes(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
+  const CoverageVariation& slow = sky.shape.coverage_variation;
+  if (slow.amount <= 0) return {};
+  const double period_m = 4 * slow.wavelength_m;
+  const auto steepest = baked.steepest_variation();
+  return {sky.volume.tiling ? variation_shift * steepest.shift / period_m : 0,
+          2 * swing_of(slow) * steepest.threshold / period_m};
+}
+
 CloudBlock cloud_block(const FrameRequest& asked, const bake::BakedCloudscape& baked) {
   const FrameRequest request = as_marched(asked, baked);
   const Cloudscape& sky = *request.cloudscape;

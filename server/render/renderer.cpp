@@ -16,14 +16,27 @@ using Clock = std::chrono::steady_clock;
 constexpr double slice_ms = 60;
 constexpr double gpu_steps_per_slice = 2e9;
 
+bake::PhaseRecipe phase_recipe(const Phase& phase) {
+  return {.effective_radius_um = phase.effective_radius_um, .effective_variance = phase.effective_variance};
+}
+
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Red, green, blue of texels of four.
+void drop_every_fourth(std::vector<float>& values) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (i % 4 != 3) values[kept++] = values[i];
+  values.resize(kept);
 }
 
 }  // namespace
 
 bool PendingFrame::ready() const {
-  return (!display || display.ready()) && (!radiance || radiance.ready()) && (!depth || depth.ready());
+  return (!display || display.ready()) && (!radiance || radiance.ready()) && (!depth || depth.ready()) &&
+         (!standard_error || standard_error.ready());
 }
 
 Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bake::BakeStore& bakes,
@@ -35,6 +48,7 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
       passes_(context, shaders),
       sky_(context, shaders),
       terrain_(context, shaders, std::move(height_maps)),
+      tracer_(context, shaders),
       frame_block_("frame"),
       cloud_block_("cloud") {}
 
@@ -61,6 +75,7 @@ bool Renderer::advance(RenderJob& job) {
     context_.finish();
     return false;
   }
+  if (job.request.quality.technique == Technique::path_tracing) return advance_trace(job);
   if (!job.targets) {
     job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
@@ -87,10 +102,42 @@ bool Renderer::find_baked(RenderJob& job) {
   }
   const Phase& phase = sky.medium.phase;
   if (job.phase || phase.kind != PhaseKind::mie) return true;
-  const bake::PhaseRecipe recipe{.effective_radius_um = phase.effective_radius_um,
-                                 .effective_variance = phase.effective_variance};
-  job.phase = bakes_.phases().find(recipe, sky.sun.angular_radius_deg);
+  job.phase = bakes_.phases().find(phase_recipe(phase), sky.sun.angular_radius_deg);
   return job.phase != nullptr;
+}
+
+// A slice of a path-traced picture.
+bool Renderer::advance_trace(RenderJob& job) {
+  const auto start = Clock::now();
+  if (!job.trace) {
+    std::optional<bake::PhaseTable> table;
+    if (job.phase && !(table = bakes_.phases().table_of(phase_recipe(job.request.cloudscape->medium.phase))))
+      return false;
+    job.timer.start();
+    job.trace = tracer_.begin(job.request, *job.baked, table);
+  }
+  const SkyTables::Set sky = bind_blocks(job, 0);
+  TracedScene scene{terrain_.bind(job.request, job.land), job.land.terrain != nullptr};
+  scene.textures.insert(scene.textures.end(), {{0, &job.baked->shape()},
+                                               {1, &job.baked->detail()},
+                                               {2, &job.baked->variation()},
+                                               {8, &sky.transmittance},
+                                               {9, &sky.view},
+                                               {10, &sky.light}});
+  const bool done = tracer_.advance(*job.trace, scene);
+  if (done) finish_trace(job);
+  job.render_ms += ms_since(start);
+  return done;
+}
+
+void Renderer::finish_trace(RenderJob& job) {
+  History& history = history_of(job.request);
+  job.standard_error =
+      gpu::Texture(gpu::Format::rgba32f, job.request.size_px.width, job.request.size_px.height, "standard error");
+  tracer_.resolve(*job.trace, history.accumulation, job.standard_error);
+  history.samples = job.trace->stand.samples;
+  job.targets = pool_.acquire(job.request.size_px, job.request.quality);
+  job.timer.stop();
 }
 
 int Renderer::rows_of_next_slice(const RenderJob& job) const {
@@ -101,16 +148,21 @@ int Renderer::rows_of_next_slice(const RenderJob& job) const {
   return std::max(1, static_cast<int>(pixels / width));
 }
 
-void Renderer::render_rows(RenderJob& job) {
-  const auto start = Clock::now();
-  const FrameBlock frame = frame_block(job.request, job.sample);
+// The blocks of a sample, which others may have used in between, and the tables of its sky.
+SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
+  const FrameBlock frame = frame_block(job.request, sample);
   CloudBlock cloud = cloud_block(job.request, *job.baked);
   if (job.phase) cloud.phase.x = static_cast<float>(job.phase->mean_asymmetry_g);
   frame_block_.upload(frame);
   cloud_block_.upload(cloud);
   frame_block_.bind();
   cloud_block_.bind();
-  const SkyTables::Set sky = sky_.get(frame, cloud);
+  return sky_.get(frame, cloud);
+}
+
+void Renderer::render_rows(RenderJob& job) {
+  const auto start = Clock::now();
+  const SkyTables::Set sky = bind_blocks(job, job.sample);
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
   const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
   const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
@@ -145,6 +197,7 @@ PendingFrame Renderer::finish(std::unique_ptr<RenderJob> job) {
   } else {
     pending.radiance = gpu::Readback(history.accumulation.radiance);
     pending.depth = gpu::Readback(history.accumulation.depth);
+    if (job->standard_error) pending.standard_error = gpu::Readback(job->standard_error);
   }
   context_.flush();
   pending.request = std::move(job->request);
@@ -156,20 +209,24 @@ PendingFrame Renderer::finish(std::unique_ptr<RenderJob> job) {
 
 Frame Renderer::collect(PendingFrame pending) const {
   const auto start = Clock::now();
+  const auto floats_of = [](const std::vector<std::uint8_t>& bytes) {
+    const auto* first = reinterpret_cast<const float*>(bytes.data());
+    return std::vector<float>(first, first + bytes.size() / sizeof(float));
+  };
   Frame frame;
   frame.samples = pending.samples;
   frame.timings = pending.timings;
   if (pending.display) frame.display_rgba = pending.display.take();
   if (pending.radiance) {
-    const auto floats_of = [](const std::vector<std::uint8_t>& bytes) {
-      const auto* first = reinterpret_cast<const float*>(bytes.data());
-      return std::vector<float>(first, first + bytes.size() / sizeof(float));
-    };
     frame.radiance_rgba = floats_of(pending.radiance.take());
     frame.depth_m = floats_of(pending.depth.take());
     constexpr float farthest_m = 1e7F;  // beyond every horizon: sky, or an average with sky in it
     for (float& depth_m : frame.depth_m)
       if (depth_m > farthest_m) depth_m = std::numeric_limits<float>::infinity();
+  }
+  if (pending.standard_error) {
+    frame.standard_error_rgb = floats_of(pending.standard_error.take());
+    drop_every_fourth(frame.standard_error_rgb);
   }
   frame.timings.gpu_ms = pending.timer.milliseconds();
   frame.timings.readback_ms = ms_since(start);
@@ -200,6 +257,7 @@ void Renderer::reload_shaders() {
   passes_.reload(shaders_);
   sky_.reload(shaders_);
   terrain_.reload(shaders_);
+  tracer_.reload();
 }
 
 std::size_t Renderer::history_bytes() const {

@@ -15,6 +15,7 @@
 #include "gpu/context.h"
 #include "gpu/readback.h"
 #include "render/passes.h"
+#include "render/path_tracer.h"
 #include "render/terrain_stage.h"
 
 namespace cloudscape::render {
@@ -28,6 +29,8 @@ struct RenderJob {
   std::unique_ptr<Targets> targets;
   int sample = 0, last_sample = 0;  // indices in the average
   int row = 0;                      // of the march target, next to render
+  std::unique_ptr<Trace> trace;     // where the quality's technique is path tracing
+  gpu::Texture standard_error;      // of a traced picture that is done
   double render_ms = 0;
   gpu::Timer timer;
 };
@@ -37,7 +40,7 @@ struct PendingFrame {
   FrameRequest request;
   int samples = 0;
   FrameTimings timings;
-  gpu::Readback display, radiance, depth;
+  gpu::Readback display, radiance, depth, standard_error;
   gpu::Timer timer;
   bool ready() const;
 };
@@ -58,6 +61,7 @@ class Renderer {
   void reload_shaders();
   std::size_t history_bytes() const;
   int sky_bakes() const { return sky_.bakes(); }  // tables of the sky computed so far
+  PathTracer& tracer() { return tracer_; }
 
  private:
   struct History {
@@ -67,6 +71,9 @@ class Renderer {
   };
   History& history_of(const FrameRequest& request);
   bool find_baked(RenderJob& job);
+  bool advance_trace(RenderJob& job);
+  void finish_trace(RenderJob& job);
+  SkyTables::Set bind_blocks(const RenderJob& job, int sample);
   void render_rows(RenderJob& job);
   void finish_sample(RenderJob& job);
   int rows_of_next_slice(const RenderJob& job) const;
@@ -78,6 +85,7 @@ class Renderer {
   Passes passes_;
   SkyTables sky_;
   TerrainStage terrain_;
+  PathTracer tracer_;
   TargetPool pool_;
   gpu::UniformBlock<FrameBlock> frame_block_;
   gpu::UniformBlock<CloudBlock> cloud_block_;

@@ -28,6 +28,7 @@ struct StillImage {
   ImageSize size_px;
   Quality quality = Quality::standard;
   std::optional<int> samples;
+  Tracing tracing;
   double time_s = 0;
   Display display;
   Encoding encoding;
@@ -36,7 +37,10 @@ struct StillImage {
     visit("width", self.size_px.width, side_px_limits, "Width of the picture, pixels.");
     visit("height", self.size_px.height, side_px_limits, "Height of the picture, pixels.");
     visit("quality", self.quality, Limits{}, "How much work the picture is worth.");
-    visit("samples", self.samples, Limits{1, 1024}, "Jittered pictures that are averaged; by default the quality's.");
+    visit("samples", self.samples, Limits{1, 65536},
+          "Jittered pictures that are averaged, or paths of a pixel; by default the quality's. With time_budget_s or "
+          "noise_target the most, by default 4096.");
+    Tracing::fields(self.tracing, visit);
     visit("time_s", self.time_s, time_s_limits, "Time that the wind has moved the clouds for, s.");
     Display::fields(self.display, visit);
     visit("format", self.encoding.format, Limits{},

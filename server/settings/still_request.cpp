@@ -51,13 +51,19 @@ StillBody body_of(const Cloudscape& cloudscape) {
   return body;
 }
 
+// tuned: no picture looks better with more, and the work that a request can mean stays bounded.
+constexpr int most_samples_by_default = 4096;
+
 // What cannot change the picture's bytes takes its default, so that requests that mean the same are the same.
 void settle(StillImage& image) {
   const Encoding defaults;
   if (image.encoding.format != ImageFormat::jpeg) image.encoding.jpeg_quality = defaults.jpeg_quality;
   if (image.encoding.format != ImageFormat::exr) image.encoding.exr_type = defaults.exr_type;
   if (image.encoding.format == ImageFormat::exr) image.display = Display{};
-  if (!image.samples) image.samples = render_quality(image.quality).samples;
+  const RenderQuality quality = render_quality(image.quality);
+  if (quality.technique != Technique::path_tracing) image.tracing = Tracing{};
+  const bool ends_itself = image.tracing.time_budget_s || image.tracing.noise_target;
+  if (!image.samples) image.samples = ends_itself ? most_samples_by_default : quality.samples;
 }
 
 void check_side(int side_px, const std::string& pointer, const StillLimits& limits) {
@@ -131,6 +137,7 @@ StillRequest finish(const std::shared_ptr<const Cloudscape>& cloudscape, StillBo
   request.frame.size_px = body.image.size_px;
   request.frame.quality = render_quality(body.image.quality);
   request.frame.quality.samples = *body.image.samples;
+  request.frame.tracing = body.image.tracing;
   request.frame.time_s = body.image.time_s;
   request.encoding = body.image.encoding;
   request.frame.content = request.encoding.format == ImageFormat::exr ? FrameContent::radiance : FrameContent::display;

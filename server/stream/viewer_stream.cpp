@@ -75,7 +75,7 @@ std::optional<Time> ViewerStream::ready_at() const {
   if (work_) return yielded_ ? std::optional(work_->queued) : std::nullopt;
   if (moved_) return flights_.has_room() ? std::optional(moved_since_) : std::nullopt;
   // One refined frame at a time: they are large, and the next motion waits behind what is in flight.
-  const bool refined = given_up_ || accumulated_ >= render_quality(view_.quality).samples;
+  const bool refined = given_up_ || accumulated_ >= render_quality(marched(view_.quality)).samples;
   return refined || flights_.size() > 0 ? std::nullopt : std::optional(rested_at());
 }
 
@@ -94,7 +94,7 @@ Work ViewerStream::next_frame(const RenderQuality& quality, const Encoding& enco
   Work work;
   work.request = {view_.cloudscape,      view_.pose,    view_.lens, view_.display,
                   view_.march,           view_.size_px, quality,    view_.time_s,
-                  FrameContent::display, id_,           sequence_,  0};
+                  FrameContent::display, id_,           sequence_,  0, {}};
   work.encoding = encoding;
   work.frame_id = next_frame_id_;
   work.pose_sequence = view_.pose_sequence;
@@ -117,7 +117,7 @@ Work ViewerStream::moving_frame() {
 }
 
 Work ViewerStream::refining_frame() const {
-  RenderQuality quality = render_quality(view_.quality);
+  RenderQuality quality = render_quality(marched(view_.quality));
   const RefinementStep step = refinement_step(accumulated_, quality.samples);
   quality.march_divisor = 1;
   quality.samples = step.samples;

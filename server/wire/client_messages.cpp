@@ -21,7 +21,7 @@ struct SettingsBody {
   static void fields(auto& self, auto&& visit) {
     visit("size_px", self.size_px, settings::side_px_limits, "Width and height of the frames, pixels.");
     View::fields(self.view, visit);
-    visit("quality", self.quality, Limits{}, "What a resting view is refined to.");
+    visit("quality", self.quality, Limits{}, "What a resting view is refined to; reference: as finest.");
     settings::StillSun::each_angle(self.sun, [&](std::string_view, auto& angle, const Limits& limits, auto meaning) {
       visit(&angle == &self.sun.azimuth_deg ? "sun_azimuth_deg" : "sun_elevation_deg", angle, limits, meaning);
     });

@@ -1,4 +1,5 @@
-// Bakes the unpadded structure (Olajos 2.4.2): for each cell the greatest shape noise that interpolation can give in it.
+// Bakes the unpadded structure (Olajos 2.4.2): for each cell the greatest shape noise that interpolation can give in it, and as far
+// beyond its faces as it is to reach.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/structure_block.glsl"
 layout(binding = 0, rg32f) uniform writeonly image3D target;
@@ -28,8 +29,9 @@ void main() {
   // Around the edges in all directions: where the shape is clamped there, the march finds no more than that.
   ivec3 size = textureSize(shape_texture, 0);
   // The cubes of eight texel middles that reach into the cell.
-  ivec3 first = ivec3(floor(vec3(cell * size) / vec3(cells) - 0.5));
-  ivec3 last = ivec3(ceil(vec3((cell + 1) * size) / vec3(cells) - 0.5)) - 1;
+  float reach = structure_values.reach.x;
+  ivec3 first = ivec3(floor((vec3(cell) - reach) * vec3(size) / vec3(cells) - 0.5));
+  ivec3 last = ivec3(ceil((vec3(cell + 1) + reach) * vec3(size) / vec3(cells) - 0.5)) - 1;
   float greatest = 0.0;
   for (int z = first.z; z <= last.z; ++z) {
     for (int y = first.y; y <= last.y; ++y) {

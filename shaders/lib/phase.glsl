@@ -27,6 +27,13 @@ float phase_table_coordinate(float chord, float far_chord) {
   return forward / (forward + sqrt(far_chord));
 }
 
+// The inverse: sin^2 of half the angle at a place in the table.
+float phase_table_haversine(float coordinate) {
+  float near = coordinate * coordinate;
+  float far = (1.0 - coordinate) * (1.0 - coordinate);
+  return near * near / (near * near + far * far);
+}
+
 // The document's phase function, or what broadened orders have in place of the table of mie (4); kind as core's PhaseKind. `broadening` scales both asymmetries (1: the function itself).
 float phase_of_kind(int kind, float cos_theta, float g, float second_g, float second_weight, float broadening) {
   if (kind == 0 || kind == 4) return phase_henyey_greenstein(cos_theta, g * broadening);

@@ -3,9 +3,11 @@
 #define SHARED_STRUCTURE_BLOCK
 #include "shared/block.glsl"
 
-/* weights: 1 and those of the shape texture's finer channels. size: cells east, north and up; texels a side of the shape texture. */
+/* weights: 1 and those of the shape texture's finer channels. size: cells east, north and up; texels a side of the shape texture.
+   reach: how far beyond each cell's faces the noise is looked for, cells; 0, 0, 0. */
 #define STRUCTURE_FIELDS(F) \
   F(vec4, weights) \
-  F(ivec4, size)
+  F(ivec4, size) \
+  F(vec4, reach)
 DECLARE_BLOCK(StructureBlock, structure_values, 0, STRUCTURE_FIELDS)
 #endif

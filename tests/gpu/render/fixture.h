@@ -113,7 +113,7 @@ inline FrameRequest one_ray(const Cloudscape& sky, const CameraPose& pose) {
   request.cloudscape = std::make_shared<const Cloudscape>(sky);
   request.pose = pose;
   request.size_px = {1, 1};
-  request.quality = render_quality(Quality::reference);
+  request.quality = render_quality(Quality::finest);
   request.quality.samples = 1;  // later ones look beside the middle
   request.content = FrameContent::radiance;
   request.stream = next_stream();

@@ -167,5 +167,35 @@ TEST(Exr, DescribesEachLensByWhatItHas) {
   EXPECT_FALSE(Imf::hasEnvmap(orthographic));
 }
 
+// Of a path-traced picture: three channels more, of 32 bits whatever the colours have.
+TEST(Exr, HoldsTheStandardErrorOfTracedPictures) {
+  Frame frame = radiance_frame({5, 3});
+  EXPECT_FALSE(decode(encode::encode(frame, exr(ExrType::half))).header.channels().findChannel("stderr.R"));
+  for (int i = 0; i < 45; ++i) frame.standard_error_rgb.push_back(1e-7F * static_cast<float>(i));
+  const EncodedFrame encoded = encode::encode(frame, exr(ExrType::half));
+  MemoryFile memory(encoded);
+  Imf::InputFile file(memory);
+  std::vector<float> error(45);
+  Imf::FrameBuffer buffer;
+  for (std::size_t c = 0; c < 3; ++c)
+    buffer.insert(std::string("stderr.") + "RGB"[c],
+                  Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(error.data() + c), 12, 12 * 5));
+  file.setFrameBuffer(buffer);
+  file.readPixels(0, 2);
+  EXPECT_EQ(error, frame.standard_error_rgb);
+  frame.standard_error_rgb.pop_back();
+  EXPECT_THROW(encode::encode(frame, exr(ExrType::half)), Error);
+}
+
+TEST(Exr, SaysHowAPictureWasTraced) {
+  Frame frame = radiance_frame({2, 2});
+  frame.request.quality = render_quality(Quality::reference);
+  frame.request.tracing = {.seed = 4294967295, .max_scattering_order = 3};
+  const Imf::Header header = decode(encode::encode(frame, exr(ExrType::half))).header;
+  EXPECT_EQ(number(header, "trace_seed"), 4294967295.0);
+  EXPECT_EQ(integer(header, "trace_max_scattering_order"), 3);
+  EXPECT_EQ(header.find("quality_max_steps"), header.end());
+}
+
 }  // namespace
 }  // namespace cloudscape

@@ -68,6 +68,22 @@ TEST_F(Stills, EveryParameterArrives) {
   EXPECT_EQ(still.encoding.jpeg_quality, 75);
 }
 
+TEST_F(Stills, ReferencesAreTraced) {
+  const StillRequest still = query({{"quality", "reference"}, {"seed", "7"}, {"max_scattering_order", "1"}});
+  EXPECT_EQ(still.frame.quality.technique, Technique::path_tracing);
+  EXPECT_EQ(still.frame.quality.samples, 64);
+  EXPECT_EQ(still.frame.tracing, (Tracing{7, 1, {}, {}}));
+  EXPECT_EQ(query({{"quality", "reference"}, {"noise_target", "0.01"}}).frame.quality.samples, 4096);
+  EXPECT_EQ(query({{"quality", "reference"}, {"time_budget_s", "2"}, {"samples", "9"}}).frame.quality.samples, 9);
+  EXPECT_EQ(sentence({{"max_scattering_order", "0"}}), "/max_scattering_order is 0: must be within [1, 65535]");
+}
+
+// What has no meaning without path tracing does not make two pictures of one.
+TEST_F(Stills, OnlyReferencesHaveASeed) {
+  EXPECT_EQ(query({{"seed", "7"}}).canonical, query({}).canonical);
+  EXPECT_NE(query({{"quality", "reference"}, {"seed", "7"}}).canonical, query({{"quality", "reference"}}).canonical);
+}
+
 TEST_F(Stills, ExrIsRadiance) {
   const StillRequest still = query({{"format", "exr"}, {"exr_type", "float"}});
   EXPECT_EQ(still.frame.content, FrameContent::radiance);
@@ -135,14 +151,14 @@ TEST_F(Stills, RefusesParametersWithTheirNames) {
   EXPECT_EQ(sentence({{"width", "12px"}}), R"(/width is "12px": must be a whole number)");
   EXPECT_EQ(sentence({{"width", ""}}), R"(/width is "": must be a whole number)");
   EXPECT_EQ(sentence({{"width", "0"}}), "/width is 0: must be within [1, 65535]");
-  EXPECT_EQ(sentence({{"samples", "1025"}}), "/samples is 1025: must be within [1, 1024]");
+  EXPECT_EQ(sentence({{"samples", "65537"}}), "/samples is 65537: must be within [1, 65536]");
   EXPECT_EQ(sentence({{"elevation_deg", "91"}}), "/elevation_deg is 91: must be within [-90, 90]");
   for (const char* text : {"nan", "inf", "-inf", "1e999", "0x10", " 1", "1 "})
     EXPECT_EQ(sentence({{"azimuth_deg", text}}), "/azimuth_deg is \"" + std::string(text) + "\": must be a number");
   EXPECT_EQ(sentence({{"position", "1,2"}}), "/position has 2 elements: must have 3");
   EXPECT_EQ(sentence({{"position", "1,x,2"}}), R"(/position/1 is "x": must be a number)");
   EXPECT_EQ(sentence({{"quality", "best"}}),
-            R"(/quality is "best": must be one of draft, interactive, standard, high, reference)");
+            R"(/quality is "best": must be one of draft, interactive, standard, high, finest, reference)");
   EXPECT_EQ(sentence({{"widht", "1"}}), "/widht is not a known parameter: did you mean width?");
   EXPECT_EQ(sentence({{"width", "1"}, {"width", "1"}}), "/width stands twice: keep one of the two");
   EXPECT_THAT(sentence({{"\xff\n", "\xff\n"}}), HasSubstr("is not a known parameter"));
@@ -181,7 +197,7 @@ TEST_F(Stills, WorkAboveTheServersLimitsIsNamed) {
   EXPECT_EQ(over({{"width", "2000"}, {"height", "1000"}}, {4096, 1.5, 60}).sentence,
             "/width times height is 2 megapixels: this server's limit is 1.5");
   const std::string work =
-      over({{"width", "1000"}, {"height", "1000"}, {"quality", "reference"}, {"samples", "100"}}, {}).sentence;
+      over({{"width", "1000"}, {"height", "1000"}, {"quality", "finest"}, {"samples", "100"}}, {}).sentence;
   EXPECT_THAT(work, HasSubstr("/quality asks for 2560 gigasteps"));
   EXPECT_THAT(work, HasSubstr("limit is 1500 (max_still_gigasteps); lower"));
   EXPECT_EQ(refusal<OverLimit>([&] { body(R"("image": {"width": 5000})"); }).pointer, "/image/width");

@@ -92,7 +92,7 @@ TEST_P(EveryQuality, steps_add_up_and_only_the_last_is_final) {
 
 INSTANTIATE_TEST_SUITE_P(All, EveryQuality,
                          testing::Values(Quality::draft, Quality::interactive, Quality::standard, Quality::high,
-                                         Quality::reference));
+                                         Quality::finest));
 
 TEST_F(RefinementTest, newest_view_wins) {
   const auto stream = scheduler.open(looking(0));

@@ -1,0 +1,4 @@
+// The path tracer above a plain ground, or none.
+layout(local_size_x = 64) in;
+#include "trace/surface_plain.glsl"
+#include "trace/paths.glsl"
