@@ -59,7 +59,7 @@ class SelfTest(unittest.TestCase):
 
     def test_cmake_links_as_the_floors_say(self):
         path = "server/bake/CMakeLists.txt"
-        self.assert_clean(floors.check, path, "cloudscape_library(bake core gpu PRIVATE Threads::Threads)\n")
+        self.assert_clean(floors.check, path, "cloudscape_library(bake core gpu vdb PRIVATE Threads::Threads)\n")
         self.assert_found(floors.check, path, "\ncloudscape_library(bake core gpu settings)\n", 2)
         self.assert_found(floors.check, path, "cloudscape_library(bake core)\n", 1)
         self.assert_clean(floors.check, path, "target_link_libraries(bake_check PRIVATE bake gpu)\n")

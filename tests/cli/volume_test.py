@@ -129,6 +129,17 @@ class RoundTrip(VolumeTest):
         self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
 
 
+class Examples(VolumeTest):
+    def test_of_the_repository_render(self):
+        examples = sorted((pathlib.Path(__file__).parents[2] / "config" / "volumes").glob("*.json"))
+        self.assertGreaterEqual(len(examples), 2)
+        for example in examples:
+            output = self.folder / f"{example.stem}.png"
+            self.done("still", str(example), "-o", str(output), *SMALL)
+            brightest = max(max(pixel) for row in read_png(output.read_bytes())[2] for pixel in row)
+            self.assertGreater(brightest, 60, example.name)
+
+
 class Files(VolumeTest):
     def grid(self, file, size=(2, 2, 2), **grid):
         return from_file(BALL, file, size=list(size), **grid)
