@@ -58,8 +58,8 @@ std::vector<AliasCell> alias_cells(const std::vector<double>& weights) {
 
 std::vector<double> cell_energies(const PhaseTable& table, std::size_t colour) {
   // Gauss-Legendre, four nodes: exact to the digits of a double at these cells.
-  constexpr double nodes[] = {0.8611363115940526, 0.3399810435848563}, node_weights[] = {0.3478548451374538,
-                                                                                       0.6521451548625461};
+  constexpr double nodes[] = {0.8611363115940526, 0.3399810435848563},
+                   node_weights[] = {0.3478548451374538, 0.6521451548625461};
   const std::vector<double>& texels = table.phase_per_sr[colour];
   std::vector<double> energies(phase_table_cells);
   for (std::size_t cell = 0; cell < phase_table_cells; ++cell) {

@@ -90,11 +90,13 @@ Json sequences() {
 }
 
 Json references() {
-  Json post = operation("postReference", "Orders a still of the quality reference, which is traced while nobody else wants the renderer.",
-                        with_problems(with_problems({{"202", answer("The job; Location says where to ask for it. Its result is the picture.",
-                                                                    content("application/json", reference("Job")))}},
-                                                    body_problems),
-                                      job_problems));
+  Json post = operation(
+      "postReference", "Orders a still of the quality reference, which is traced while nobody else wants the renderer.",
+      with_problems(
+          with_problems({{"202", answer("The job; Location says where to ask for it. Its result is the picture.",
+                                        content("application/json", reference("Job")))}},
+                        body_problems),
+          job_problems));
   post["requestBody"] = {{"required", true}, {"content", content("application/json", reference("StillRequest"))}};
   return {{"post", post}};
 }
@@ -111,8 +113,10 @@ Json job() {
 
 Json job_result() {
   const Json binary{{"type", "string"}, {"contentEncoding", "binary"}};
-  const Json files{{"application/zip", {{"schema", binary}}}, {"video/x-msvideo", {{"schema", binary}}},
-                   {"image/jpeg", {{"schema", binary}}},      {"image/png", {{"schema", binary}}},
+  const Json files{{"application/zip", {{"schema", binary}}},
+                   {"video/x-msvideo", {{"schema", binary}}},
+                   {"image/jpeg", {{"schema", binary}}},
+                   {"image/png", {{"schema", binary}}},
                    {"image/x-exr", {{"schema", binary}}}};
   Json get = operation("getJobResult", "The file that a job has made. One range of bytes may be asked for.",
                        with_problems(with_problems({{"200", answer("The file, with a strong ETag.", files)},

@@ -17,11 +17,13 @@ void check_traced(const FrameRequest& frame) {
   if (frame.quality.technique != Technique::path_tracing) return;
   // tuned: half a minute and a minute of two cores.
   constexpr double most_budget_s = 30, most_gigasteps = 1;
-  const double gigasteps = 1e-9 * frame.size_px.width * frame.size_px.height * frame.quality.samples * frame.quality.max_steps;
+  const double gigasteps =
+      1e-9 * frame.size_px.width * frame.size_px.height * frame.quality.samples * frame.quality.max_steps;
   if (frame.tracing.time_budget_s.value_or(1e9) <= most_budget_s || gigasteps <= most_gigasteps) return;
-  throw OverLimit("/quality", "is reference, and so much of it takes longer than this answer may: POST the still "
-                            "to /api/v1/references, which answers with a job, or ask for fewer samples or pixels, or for "
-                            "a time_budget_s of 30 or less");
+  throw OverLimit("/quality",
+                  "is reference, and so much of it takes longer than this answer may: POST the still "
+                  "to /api/v1/references, which answers with a job, or ask for fewer samples or pixels, or for "
+                  "a time_budget_s of 30 or less");
 }
 
 Answer order(const Request& request, Site& site, const settings::StillRequest& still) {

@@ -16,7 +16,7 @@ using gpu::Binding, gpu::Format, gpu::Texture;
 constexpr double slice_ms = 50;  // tuned: as a marched frame's slices
 // tuned: so many that the state is seldom loaded and stored, so few that a slice stays short.
 constexpr int rounds = 16, flights = 8;
-constexpr int most_slots = 1 << 18;   // tuned: enough to fill a large GPU; 38 MB
+constexpr int most_slots = 1 << 18;      // tuned: enough to fill a large GPU; 38 MB
 constexpr std::size_t slot_bytes = 144;  // shaders/trace/state.glsl
 // Altitude along a ray changes faster than at its beginning by at most its length over the planet's radius, and no ray
 // asks further than 2 km ahead (shaders/trace/bounds.glsl).
@@ -48,7 +48,8 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 }  // namespace
 
 int mean_samples(const Trace& trace) {
-  const auto pixels = static_cast<std::uint64_t>(trace.size_px.width) * static_cast<std::uint64_t>(trace.size_px.height);
+  const auto pixels =
+      static_cast<std::uint64_t>(trace.size_px.width) * static_cast<std::uint64_t>(trace.size_px.height);
   return static_cast<int>(trace.counts.samples / pixels);
 }
 
@@ -146,7 +147,8 @@ void PathTracer::dispatch(Trace& trace, const TracedScene& scene) {
   trace.lists[1 - trace.list].bind(2);
   trace.counters.bind(3);
   std::vector<Binding> textures = scene.textures;
-  if (trace.majorants.fine) textures.insert(textures.end(), {{14, &trace.majorants.fine}, {15, &trace.majorants.coarse}});
+  if (trace.majorants.fine)
+    textures.insert(textures.end(), {{14, &trace.majorants.fine}, {15, &trace.majorants.coarse}});
   if (trace.phase) textures.insert(textures.end(), {{5, &trace.phase->texels}, {3, &trace.phase->aliases}});
   const Texture* images[] = {&trace.sums[0], &trace.sums[1], &trace.sums[2], &trace.sums[3]};
   pass_for(scene).run(entries, textures, images);

@@ -21,7 +21,8 @@ namespace cloudscape::render {
 // What was done so far, for progress and measurement.
 struct TraceCounts {
   std::uint64_t samples = 0;  // of all pixels
-  std::uint64_t flights = 0;  // of paths and of rays towards the sun, from one place where something is decided to the next
+  std::uint64_t flights =
+      0;  // of paths and of rays towards the sun, from one place where something is decided to the next
   std::uint64_t above_majorant = 0;  // densities that exceeded their bound: must be 0
 };
 
@@ -36,11 +37,11 @@ struct Trace {
   TraceCounts counts;
   ImageSize size_px;
   std::uint32_t seed = 1;
-  int max_order = 0;     // 0: none
+  int max_order = 0;  // 0: none
   int slot_count = 0;
-  int wave_end = 0;      // sample that none may begin in the current wave
+  int wave_end = 0;  // sample that none may begin in the current wave
   int listed = 0, next_entry = 0, list = 0;
-  vec4 slopes{0};        // TraceBlock
+  vec4 slopes{0};  // TraceBlock
   ivec4 cells{1};
   bool noise_wanted() const { return goal.noise_target.has_value(); }
 };

@@ -7,7 +7,7 @@
 namespace cloudscape::render {
 
 struct TraceGoal {
-  int samples = 1;                      // of each pixel, at most
+  int samples = 1;                           // of each pixel, at most
   std::optional<double> time_budget_s = {};  // no wave begins that would end later
   std::optional<double> noise_target = {};   // relative standard error of the picture that is enough
 };

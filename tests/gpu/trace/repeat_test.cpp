@@ -40,8 +40,8 @@ TEST_F(TracedAgain, FramesInBetweenChangeNothing) {
   EXPECT_EQ(between.radiance_rgba, alone.radiance_rgba);
 }
 
-// Welch's test (1947) of the two means of each pixel: the statistic has a variance of 1 where errors are what they claim to be and
-// the pictures are independent.
+// Welch's test (1947) of the two means of each pixel: the statistic has a variance of 1 where errors are what they
+// claim to be and the pictures are independent.
 TEST_F(TracedAgain, AnotherSeedGivesAnIndependentPictureOfTheSame) {
   const Frame a = traced(small_picture(1, 64)), b = traced(small_picture(2, 64));
   double sum = 0, squares = 0, values = 0;
