@@ -85,6 +85,13 @@ TEST_F(TracedAgain, EndsWithinTheTimeBudget) {
   renderer().forget(request.stream);
 }
 
+TEST_F(TracedAgain, TheBlockIsLaidOutAsInCpp) {
+  for (const char* path : {"trace/paths.comp", "trace/paths_terrain.comp"}) {
+    const gpu::StoragePass pass(stack().shaders, path);
+    EXPECT_EQ(pass.program().block_offsets("TraceBlock"), TraceBlock::offsets());
+  }
+}
+
 TEST(TracePlan, NeverAsksForMoreThanTheGoal) {
   EXPECT_EQ(next_wave({.samples = 64}, {}), 64);
   EXPECT_EQ(next_wave({.samples = 64}, {.samples = 64}), 0);
