@@ -46,9 +46,7 @@ void FrameProgress::end() {
   if (terminal_ && kept_ < frames_) std::fputc('\n', stderr);
 }
 
-double FrameProgress::seconds_left() const {
-  return seconds_since(start_) / rendered_ * (frames_ - kept_ - rendered_);
-}
+double FrameProgress::seconds_left() const { return seconds_since(start_) / rendered_ * (frames_ - kept_ - rendered_); }
 
 void FrameProgress::show() {
   const int done = kept_ + rendered_;
@@ -66,8 +64,7 @@ void SampleProgress::show(double share, int samples) {
   if (terminal_ ? seconds_since(shown_) < 0.2 : tenths == tenths_) return;  // often enough to be seen moving
   shown_ = std::chrono::steady_clock::now();
   tenths_ = tenths;
-  const std::string left =
-      share > 0.02 ? ", " + time_text(seconds_since(start_) * (1 - share) / share) + " left" : "";
+  const std::string left = share > 0.02 ? ", " + time_text(seconds_since(start_) * (1 - share) / share) + " left" : "";
   std::fprintf(stderr, "%s%.0f %%, %d samples%s%s", terminal_ ? ("\r" + bar_text(share)).c_str() : "", 100 * share,
                samples, left.c_str(), terminal_ ? "\x1b[K" : "\n");
   std::fflush(stderr);

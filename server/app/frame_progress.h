@@ -1,4 +1,5 @@
-// How far a sequence or a path-traced picture is, on stderr: one line rewritten in place on a terminal, a line now and then elsewhere.
+// How far a sequence or a path-traced picture is, on stderr: one line rewritten in place on a terminal, a line now and
+// then elsewhere.
 #pragma once
 #include <chrono>
 

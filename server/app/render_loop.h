@@ -28,7 +28,7 @@ class RenderLoop {
   struct Active {
     stream::Work work;
     std::unique_ptr<render::RenderJob> job;
-    double queue_ms = 0;  // from wanted until taken
+    double queue_ms = 0;                           // from wanted until taken
     std::chrono::steady_clock::time_point told{};  // when last how far it is
   };
   struct Pending {

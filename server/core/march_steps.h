@@ -20,8 +20,10 @@ constexpr MarchSteps march_steps(const March& march, const RenderQuality& qualit
   return {std::min(march.max_steps.value_or(quality.max_steps), most_rounds / (light + 2)), light};
 }
 
-// Steps of both kinds that one ray may take: as many as if all of its way were thin cloud.
+// Steps of both kinds that one ray may take: as many as if all of its way were thin cloud. A traced path takes about as
+// many as its quality says.
 constexpr double most_steps_of_ray(const March& march, const RenderQuality& quality) {
+  if (quality.technique == Technique::path_tracing) return quality.max_steps;
   const MarchSteps steps = march_steps(march, quality);
   return static_cast<double>(steps.view) * (1 + (march.lighting ? steps.light : 0));
 }

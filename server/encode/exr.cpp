@@ -39,8 +39,8 @@ char* base(const T* pixels) {
   return reinterpret_cast<char*>(const_cast<T*>(pixels));
 }
 
-// Channels R G B A, interleaved, and Z, which stays 32 bit: half would end at 65.5 km, within sight of any cloud. Standard
-// errors stay so too: half has no digits left for what is a millionth of a radiance.
+// Channels R G B A, interleaved, and Z, which stays 32 bit: half would end at 65.5 km, within sight of any cloud.
+// Standard errors stay so too: half has no digits left for what is a millionth of a radiance.
 template <class T>
 Imf::FrameBuffer frame_buffer(const std::vector<T>& rgba, Imf::PixelType type, const Frame& frame) {
   const int width = frame.request.size_px.width;

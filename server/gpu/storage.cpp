@@ -49,7 +49,8 @@ void StorageBuffer::bind(int binding) const {
 StoragePass::StoragePass(ShaderLibrary& shaders, const std::string& path)
     : path_(path), program_(Program::compute(shaders.load(path), path)) {}
 
-void StoragePass::run(int invocations, std::span<const Binding> textures, std::span<const Texture* const> images) const {
+void StoragePass::run(int invocations, std::span<const Binding> textures,
+                      std::span<const Texture* const> images) const {
   glUseProgram(program_.id());
   for (const Binding& binding : textures) glBindTextureUnit(static_cast<GLuint>(binding.unit), binding.texture->id());
   for (std::size_t i = 0; i < images.size(); ++i)

@@ -18,7 +18,7 @@ class StorageBuffer {
   ~StorageBuffer();
   StorageBuffer(StorageBuffer&& other) noexcept;
   StorageBuffer& operator=(StorageBuffer&& other) noexcept;
-  void upload(std::span<const std::byte> bytes);  // from the beginning
+  void upload(std::span<const std::byte> bytes);    // from the beginning
   void download(std::span<std::byte> bytes) const;  // waits for the device
   void bind(int binding) const;
   std::size_t bytes() const { return bytes_; }

@@ -86,7 +86,7 @@ struct ServerSettings {
     visit("max_stream_side_px", self.max_stream_side_px, Limits{16, 16384}, "Width or height of a stream, pixels.");
     visit("max_stream_megapixels", self.max_stream_megapixels, Limits{0.01, 256}, "Size of a stream, megapixels.");
     visit("max_stream_steps", self.max_stream_steps, Limits{1, 65535},
-          "Steps of a ray of a stream: steps * (1 + light steps); 25600: the quality reference.");
+          "Steps of a ray of a stream: steps * (1 + light steps); 25600: the quality finest.");
     visit("still_queue", self.still_queue, Limits{1, 4096}, "Stills that wait or render; one more gets 503.");
     visit("max_still_side_px", self.max_still_side_px, Limits{16, 16384}, "Width or height of a still, pixels.");
     visit("max_still_megapixels", self.max_still_megapixels, Limits{0.01, 256}, "Size of a still, megapixels.");

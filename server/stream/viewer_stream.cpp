@@ -92,9 +92,19 @@ Work ViewerStream::take(Time now) {
 
 Work ViewerStream::next_frame(const RenderQuality& quality, const Encoding& encoding) const {
   Work work;
-  work.request = {view_.cloudscape,      view_.pose,    view_.lens, view_.display,
-                  view_.march,           view_.size_px, quality,    view_.time_s,
-                  FrameContent::display, id_,           sequence_,  0, {}};
+  work.request = {view_.cloudscape,
+                  view_.pose,
+                  view_.lens,
+                  view_.display,
+                  view_.march,
+                  view_.size_px,
+                  quality,
+                  view_.time_s,
+                  FrameContent::display,
+                  id_,
+                  sequence_,
+                  0,
+                  {}};
   work.encoding = encoding;
   work.frame_id = next_frame_id_;
   work.pose_sequence = view_.pose_sequence;

@@ -7,6 +7,7 @@ import { LatestFrame } from '../../client/web/decoder.js';
 import { Measures, stage_word } from '../../client/web/hud.js';
 import { stick_value } from '../../client/web/input_gamepad.js';
 import { frame_header_bytes, hello_message, read_frame, subprotocols } from '../../client/web/protocol.js';
+import { reference_body } from '../../client/web/reference.js';
 import { css_transform, homography } from '../../client/web/reproject.js';
 import { budget_px, stream_size_px } from '../../client/web/stream_size.js';
 import { format_fragment, parse_fragment } from '../../client/web/url_state.js';
@@ -274,4 +275,15 @@ test('latency counts a pose\'s first frame once', () => {
 
 test('a stick at rest does nothing, at its end everything', () => {
   assert.deepEqual([0.1, -0.1, 1, -1].map(value => stick_value(value) + 0), [0, 0, 1, -1]);
+});
+
+test('a reference is ordered from the same choices as a still', () => {
+  const state = { chosen: { cloudscape: 'a', pose: { position_m: [1, 2, 3], azimuth_deg: 4, elevation_deg: 5, roll_deg: 0 },
+    vertical_fov_deg: 40, sun_azimuth_deg: 100, time_s: 7 } };
+  assert.deepEqual(reference_body(state, { format: 'exr', samples: 16, width: 8, height: 4 }), {
+    cloudscape: 'a',
+    camera: { position_m: [1, 2, 3], azimuth_deg: 4, elevation_deg: 5, roll_deg: 0, lens: { vertical_fov_deg: 40 } },
+    image: { width: 8, height: 4, quality: 'reference', samples: 16, format: 'exr', time_s: 7 },
+    sun: { azimuth_deg: 100 },
+  });
 });

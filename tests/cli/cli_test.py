@@ -74,6 +74,18 @@ class Still(CliTest):
         self.assert_done(self.still(self.sky, "c.png", "--azimuth-deg", "90"))
         self.assertNotEqual((self.folder / "a.png").read_bytes(), (self.folder / "c.png").read_bytes())
 
+    def test_a_reference_repeats_by_its_seed_and_says_how_far_it_is(self):
+        ball = self.write("ball.json", '{"volume": {"kind": "sphere", "origin_m": [-500, 2000, 300], "size_m": [1000, 1000, 1000]}}')
+        traced = ["--quality", "reference", "--samples", "2", "--exr-type", "float"]
+        for name, seed in (("a", "5"), ("b", "5"), ("c", "6")):
+            self.assert_done(self.run_program("still", ball, "-o", name + ".exr", *SMALL[:4], *traced, "--seed", seed))
+        a, b, c = ((self.folder / (name + ".exr")).read_bytes() for name in "abc")
+        self.assertEqual(a, b)
+        self.assertNotEqual(a, c)
+        self.assertIn(b"stderr.R\0", a)
+        self.assert_one_sentence(self.run_program("still", ball, "-o", "d.exr", *traced, "--noise-target", "0"), 1,
+                                 "--noise-target", "within")
+
     def test_a_damaged_cache_is_told_once_and_baked_anew(self):
         self.assert_done(self.still(self.sky, "a.png"))
         (bake,) = self.bakes()

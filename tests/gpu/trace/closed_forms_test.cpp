@@ -38,7 +38,6 @@ TEST_F(Traced, SingleScatteringThroughTheMiddleOfASphere) {
       const double expected = back ? henyey_greenstein(-1, g) * (1 - std::exp(-4 * t)) / 2
                                    : 2 * t * henyey_greenstein(1, g) * std::exp(-2 * t);
       EXPECT_NEAR(radiance.over(expected), 1, 4 * radiance.error / expected) << t << (back ? " back" : " forward");
-      std::printf("t %g back %d: ratio %.4f +- %.4f\n", t, back, radiance.over(expected), radiance.error / expected);
     }
 }
 

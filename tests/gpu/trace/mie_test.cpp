@@ -1,5 +1,5 @@
-// The phase function of droplets in the path tracer: sampled by colour, against closed forms and a plane-parallel Monte Carlo
-// calculation of its own in double precision.
+// The phase function of droplets in the path tracer: sampled by colour, against closed forms and a plane-parallel Monte
+// Carlo calculation of its own in double precision.
 #include <algorithm>
 #include <random>
 
@@ -72,7 +72,6 @@ TEST_F(TracedMie, SlabsReflectAsPhotonsDo) {
     const int photons = 200000;
     const double expected = reflected_by(Cosines(colour), optical_thickness, photons);
     const Measured got = measured(frame, colour);
-    std::printf("colour %zu: %.5f +- %.5f expected %.5f\n", colour, got.mean, got.error, expected);
     EXPECT_NEAR(got.mean, expected, 4 * std::hypot(got.error, std::sqrt(expected * (1 - expected) / photons)));
   }
 }
@@ -89,7 +88,6 @@ TEST_F(TracedMie, ScattersOnceByTheTable) {
     for (std::size_t colour = 0; colour < 3; ++colour) {
       const double expected = phase[colour] / (mu + 1) * (1 - std::exp(-optical_thickness * (1 / mu + 1)));
       const Measured got = measured(frame, colour);
-      std::printf("elevation %g colour %zu: ratio %.4f +- %.4f\n", elevation_deg, colour, got.over(expected), got.error / expected);
       EXPECT_NEAR(got.over(expected), 1, 0.005 + 4 * got.error / expected);
     }
   }
@@ -103,7 +101,6 @@ TEST_F(TracedMie, WhiteFurnace) {
   const Frame frame = traced(traced_beam(sky, {{0, 0, 1000}, 0, -70, 0}, 48, 64));
   for (std::size_t colour = 0; colour < 3; ++colour) {
     const Measured got = measured(frame, colour);
-    std::printf("furnace colour %zu: %.5f +- %.5f\n", colour, got.mean, got.error);
     EXPECT_NEAR(got.mean, 1, 4 * got.error + 2e-4);
   }
 }

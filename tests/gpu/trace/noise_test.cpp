@@ -27,7 +27,8 @@ Cloudscape soft_clouds() {
 FrameRequest marched(const FrameRequest& traced) {
   FrameRequest request = traced;
   request.stream = next_stream();
-  request.quality = {.max_steps = 4000, .step_m = 2, .step_growth = 0, .light_steps = 14, .samples = 16, .float32 = true};
+  request.quality = {
+      .max_steps = 4000, .step_m = 2, .step_growth = 0, .light_steps = 14, .samples = 16, .float32 = true};
   return request;
 }
 
@@ -55,7 +56,6 @@ TEST_F(TracedNoise, LetsThroughWhatTheMarchLetsThrough) {
       if (detailed) sky.detail = small_clouds().detail, sky.shape.edge_softness = 0.1;
       const FrameRequest request = narrow(sky, pose, 128);
       const double traced_share = mean_of(traced(request), 3), marched_share = mean_of(traced(marched(request)), 3);
-      std::printf("opacity %.4f march %.4f\n", traced_share, marched_share);
       EXPECT_NEAR(traced_share, marched_share, 0.01);
     }
 }
@@ -65,12 +65,12 @@ TEST_F(TracedNoise, ScattersOnceAsTheMarchDoes) {
     const FrameRequest request = narrow(soft_clouds(), pose, 256);
     const Measured once = measured(traced(request));
     const double expected = mean_of(traced(marched(request)), 0);
-    std::printf("single %.5f +- %.5f march %.5f\n", once.mean, once.error, expected);
     EXPECT_NEAR(once.over(expected), 1, 0.01 + 3 * once.error / expected);
   }
 }
 
-// Clouds that do not absorb, in a sky that is the same all round, cannot be seen; and no density exceeds its bound on the way.
+// Clouds that do not absorb, in a sky that is the same all round, cannot be seen; and no density exceeds its bound on
+// the way.
 TEST_F(TracedNoise, WhiteFurnace) {
   for (const bool tiling : {true, false})
     for (const double variation : {0.0, 0.8}) {

@@ -40,8 +40,8 @@ TEST_F(TracedAgain, FramesInBetweenChangeNothing) {
   EXPECT_EQ(between.radiance_rgba, alone.radiance_rgba);
 }
 
-// Welch's test (1947) of the two means of each pixel: the statistic has a variance of 1 where errors are what they claim to be and
-// the pictures are independent.
+// Welch's test (1947) of the two means of each pixel: the statistic has a variance of 1 where errors are what they
+// claim to be and the pictures are independent.
 TEST_F(TracedAgain, AnotherSeedGivesAnIndependentPictureOfTheSame) {
   const Frame a = traced(small_picture(1, 64)), b = traced(small_picture(2, 64));
   double sum = 0, squares = 0, values = 0;
@@ -83,6 +83,13 @@ TEST_F(TracedAgain, EndsWithinTheTimeBudget) {
   EXPECT_LT(job->trace->stand.samples, 4096);
   renderer().collect(renderer().finish(std::move(job)));
   renderer().forget(request.stream);
+}
+
+TEST_F(TracedAgain, TheBlockIsLaidOutAsInCpp) {
+  for (const char* path : {"trace/paths.comp", "trace/paths_terrain.comp"}) {
+    const gpu::StoragePass pass(stack().shaders, path);
+    EXPECT_EQ(pass.program().block_offsets("TraceBlock"), TraceBlock::offsets());
+  }
 }
 
 TEST(TracePlan, NeverAsksForMoreThanTheGoal) {

@@ -29,9 +29,10 @@ inline Measured measured(const Frame& frame, std::size_t colour = 0) {
   return m;
 }
 
-// Parallel rays within `width_m`, `side`^2 pixels of so many samples. Pixels differ in nothing but their random numbers where all
-// that they see is the same.
-inline FrameRequest traced_beam(const Cloudscape& sky, const CameraPose& pose, int side, int samples, double width_m = 1) {
+// Parallel rays within `width_m`, `side`^2 pixels of so many samples. Pixels differ in nothing but their random numbers
+// where all that they see is the same.
+inline FrameRequest traced_beam(const Cloudscape& sky, const CameraPose& pose, int side, int samples,
+                                double width_m = 1) {
   FrameRequest request = one_ray(sky, pose);
   request.lens = {LensKind::orthographic, 50, width_m};
   request.size_px = {side, side};

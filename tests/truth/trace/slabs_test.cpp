@@ -8,8 +8,8 @@ using Truth = TraceTest;
 
 void compare(const std::string& what, double expected, const Measured& got) {
   if (expected == 0) return;
-  std::printf("| %s | %.5f | %.5f | %.2f %% | %+.2f %% |\n", what.c_str(), expected, got.mean, 100 * got.error / expected,
-              100 * (got.over(expected) - 1));
+  std::printf("| %s | %.5f | %.5f | %.2f %% | %+.2f %% |\n", what.c_str(), expected, got.mean,
+              100 * got.error / expected, 100 * (got.over(expected) - 1));
   std::fflush(stdout);
   EXPECT_NEAR(got.over(expected), 1, 0.01) << what;
   EXPECT_NEAR(got.mean, expected, 4 * got.error + 2e-4 * expected) << what;
@@ -34,7 +34,8 @@ TEST_F(Truth, SlabFluxes) {
 TEST_F(Truth, SlabReflectanceFactors) {
   for (const SlabTruth& truth : slab_truths) {
     if (truth.factor == 0) continue;
-    compare(name_of(truth, "factor at nadir"), truth.factor, slab_factor(truth, 128, truth.optical_thickness < 2 ? 384 : 96));
+    compare(name_of(truth, "factor at nadir"), truth.factor,
+            slab_factor(truth, 128, truth.optical_thickness < 2 ? 384 : 96));
   }
 }
 

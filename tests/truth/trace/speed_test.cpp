@@ -23,8 +23,9 @@ TEST_F(Speed, OfAPreset) {
   while (!renderer().advance(*job)) {
   }
   const Trace& trace = *job->trace;
-  std::printf("%d samples: %.1f s of slices, %.2f million flights a second, %.1f flights a sample\n", trace.stand.samples,
-              trace.stand.seconds, 1e-6 * static_cast<double>(trace.counts.flights) / trace.stand.seconds,
+  std::printf("%d samples: %.1f s of slices, %.2f million flights a second, %.1f flights a sample\n",
+              trace.stand.samples, trace.stand.seconds,
+              1e-6 * static_cast<double>(trace.counts.flights) / trace.stand.seconds,
               static_cast<double>(trace.counts.flights) / static_cast<double>(trace.counts.samples));
   EXPECT_EQ(trace.counts.above_majorant, 0U);
   const Frame frame = renderer().collect(renderer().finish(std::move(job)));

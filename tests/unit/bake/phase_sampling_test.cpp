@@ -26,7 +26,9 @@ PhaseTable known_table() {
 TEST(PhaseSampling, EnergiesOfTheCellsAreThoseOfTheFunction) {
   const PhaseTable table = known_table();
   const double g = 0.9;
-  const auto below = [g](double mu) { return (1 - g * g) / (2 * g) * (1 / std::sqrt(1 + g * g - 2 * g * mu) - 1 / (1 + g)); };
+  const auto below = [g](double mu) {
+    return (1 - g * g) / (2 * g) * (1 / std::sqrt(1 + g * g - 2 * g * mu) - 1 / (1 + g));
+  };
   for (std::size_t colour = 0; colour < 3; ++colour) {
     const std::vector<double> energies = cell_energies(table, colour);
     EXPECT_NEAR(std::accumulate(energies.begin(), energies.end(), 0.0), 1, 2e-6) << colour;

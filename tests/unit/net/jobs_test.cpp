@@ -135,6 +135,21 @@ TEST_F(JobsTest, has_few_frames_at_the_scheduler_and_writes_them_in_order) {
   EXPECT_EQ(text_of(job->file), "12");
 }
 
+TEST_F(JobsTest, knows_the_samples_of_the_frame_that_is_next) {
+  make_jobs();
+  const Job* job = order(4);
+  const auto first = take(), second = take();
+  jobs_->note_samples(first->request.stream, 0.5, 32);
+  EXPECT_DOUBLE_EQ(job->progress(), 0.125);
+  EXPECT_EQ(job->samples, 32);
+  jobs_->note_samples(second->request.stream, 0.75, 48);
+  jobs_->note_samples(12345, 0.75, 48);
+  EXPECT_DOUBLE_EQ(job->progress(), 0.125);
+  deliver(*first, image('1'));
+  read_news();
+  EXPECT_DOUBLE_EQ(job->progress(), 0.25);
+}
+
 TEST_F(JobsTest, third_job_waits_until_one_of_two_ends) {
   settings_.max_jobs = 6;
   make_jobs();

@@ -93,7 +93,8 @@ TEST(Sampling, CapsAreEvenAndCosinesAreCosines) {
 TEST(Sampling, PhaseTableHaversinesAreInverse) {
   for (float coordinate = 0.02F; coordinate < 1; coordinate += 0.02F) {
     const float haversine = glsl::phase_table_haversine(coordinate);
-    EXPECT_NEAR(glsl::phase_table_coordinate(2 * std::sqrt(haversine), 2 * std::sqrt(1 - haversine)), coordinate, 1e-5L);
+    EXPECT_NEAR(glsl::phase_table_coordinate(2 * std::sqrt(haversine), 2 * std::sqrt(1 - haversine)), coordinate,
+                1e-5L);
   }
 }
 
