@@ -10,7 +10,7 @@ TEST(MarchSteps, AreTheQualitysWhereTheMarchNamesNone) {
   EXPECT_EQ(march_steps({}, render_quality(Quality::standard)).view, 256);
   EXPECT_EQ(march_steps({}, render_quality(Quality::standard)).light, 6);
   EXPECT_EQ(most_steps_of_ray({}, render_quality(Quality::standard)), 256 * 7);
-  EXPECT_EQ(most_steps_of_ray({}, render_quality(Quality::reference)), 1024 * 25);
+  EXPECT_EQ(most_steps_of_ray({}, render_quality(Quality::finest)), 1024 * 25);
 }
 
 TEST(MarchSteps, AreTheMarchsWhereItNamesThem) {
