@@ -59,13 +59,24 @@ vec2 azimuth_direction(float coordinate, bool mirrored) {
 float sky_view_v(float sine, float dip_sine) { return sqrt(clamp((sine + dip_sine) / (1.0 + dip_sine), 0.0, 1.0)); }
 float sky_view_sine(float v, float dip_sine) { return v * v * (1.0 + dip_sine) - dip_sine; }
 
-// Aerial perspective: from the sine of the elevation, fine about the horizontal, and from the distance.
-const float aerial_scale_m = 40000.0;  // tuned: half of the slices lie within it
-float aerial_v(float sine) { return sine < 0.0 ? 0.5 - 0.5 * sqrt(-sine) : 0.5 + 0.5 * sqrt(sine); }
-float aerial_sine(float v) {
-  float s = 2.0 * v - 1.0;
-  return s * abs(s);
+// Aerial perspective: from the sine of the elevation, fine about the horizon, and from the distance.
+float aerial_v(float sine, float dip_sine) {
+  float above = sine + dip_sine;
+  return above < 0.0 ? 0.5 - 0.5 * sqrt(-above / (1.0 - dip_sine)) : 0.5 + 0.5 * sqrt(above / (1.0 + dip_sine));
 }
+float aerial_sine(float v, float dip_sine) {
+  float s = 2.0 * v - 1.0;
+  return s * abs(s) * (s < 0.0 ? 1.0 - dip_sine : 1.0 + dip_sine) - dip_sine;
+}
+// Distances count from where the ray comes below this altitude, or passes closest to it: above there is little air, and no cloud.
+const float aerial_ceiling_m = 16000.0;
+float aerial_begin_m(float altitude_m, vec3 direction) {
+  if (altitude_m <= aerial_ceiling_m) return 0.0;
+  vec2 below = intersect_altitude(vec3(0.0, 0.0, altitude_m), direction, aerial_ceiling_m);
+  if (below.x <= below.y && below.x > 0.0) return below.x;
+  return max(0.0, -(planet_radius_m + altitude_m) * direction.z);
+}
+const float aerial_scale_m = 40000.0;  // tuned: half of the slices lie within it
 const float aerial_farthest = 0.98;      // 49 times the scale
 float aerial_w(float distance_m) { return min(distance_m / (distance_m + aerial_scale_m) / aerial_farthest, 1.0); }
 float aerial_distance_m(float w) { return aerial_scale_m * aerial_farthest * w / (1.0 - aerial_farthest * w); }

@@ -31,13 +31,10 @@ struct Air {
 // The air between the camera and a point.
 Air air_to(vec3 direction, float distance_m) {
   if (sky_kind() != sky_clear) return Air(vec3(1.0), vec3(0.0));
-  float begin_m = 0.0;
-  if (camera_altitude_m() > atmosphere_top_m) {
-    vec2 air = intersect_altitude(vec3(0.0, 0.0, camera_altitude_m()), direction, atmosphere_top_m);
-    begin_m = air.x <= air.y ? air.x : no_hit_m;
-  }
+  float begin_m = aerial_begin_m(camera_altitude_m(), direction);
   vec2 azimuth = from_light_azimuth(direction.xy);
-  vec2 uv = table_uv(vec2(azimuth_coordinate(azimuth.x, azimuth.y, mirrored_sky()), aerial_v(direction.z)), aerial_size.xy);
+  vec2 uv = table_uv(vec2(azimuth_coordinate(azimuth.x, azimuth.y, mirrored_sky()), aerial_v(direction.z, horizon_sine(camera_altitude_m()))),
+                     aerial_size.xy);
   float w = aerial_w(max(distance_m - begin_m, 0.0));
   float slices = aerial_size.z;
   float row = (0.5 + w * (slices - 1.0)) / (3.0 * slices);

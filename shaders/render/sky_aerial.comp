@@ -11,13 +11,14 @@ void main() {
   int slices = int(aerial_size.z);
   if (texel.x >= int(aerial_size.x) || texel.y >= int(aerial_size.y) || texel.z > volume_pass.z_begin) return;
   vec2 parameter = table_parameter(vec2(texel.xy), aerial_size.xy);
-  float sine = aerial_sine(parameter.y);
+  float sine = aerial_sine(parameter.y, horizon_sine(sky.level.x));
   vec2 azimuth = to_world_azimuth(azimuth_direction(parameter.x, mirrored_sky()));
   vec3 direction = vec3(sqrt(max(0.0, 1.0 - sine * sine)) * azimuth, sine);
   vec3 origin = vec3(0.0, 0.0, sky.level.x);
   vec2 air = intersect_altitude(origin, direction, atmosphere_top_m);
-  float begin_m = sky.level.x > atmosphere_top_m ? max(air.x, 0.0) : 0.0;
-  AirMarch march = AirMarch(vec3(0.0), vec3(0.0), vec3(1.0));
+  float entry_m = sky.level.x > atmosphere_top_m && air.x <= air.y ? max(air.x, 0.0) : 0.0;
+  float begin_m = max(entry_m, aerial_begin_m(sky.level.x, direction));
+  AirMarch march = march_air(sky.level.x, direction, entry_m, begin_m, begin_m > entry_m ? 12 : 0);
   float previous_m = 0.0;
   for (int slice = 0; slice < slices; ++slice) {
     float next_m = aerial_distance_m(float(slice) / float(slices - 1));

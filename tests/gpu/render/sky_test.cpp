@@ -71,8 +71,8 @@ TEST_F(ClearSky, MeetsTheTracerOverGreyGround) {
 
 TEST_F(ClearSky, MeetsTheTracerInTwilight) {
   for (const Look look : {Look{0, 10}, Look{90, 60}, Look{180, 20}}) {
-    compare(-2, 0.1, look, -0.2, 0.2);
-    compare(-4, 0.1, look, -0.3, 0.3, 2, 40000);
+    compare(-2, 0.1, look, -0.15, 0.15);
+    compare(-4, 0.1, look, -0.15, 0.15, 2, 40000);
   }
 }
 
@@ -81,7 +81,7 @@ TEST_F(ClearSky, MeetsTheTracerFromAbove) {
   for (const double altitude_m : {3000.0, 12000.0})
     for (const double sun_deg : {30.0, 5.0})
       for (const Look look : {Look{90, -80}, Look{180, -20}, Look{0, -6}})
-        compare(sun_deg, 0.3, look, -0.15, 0.10, altitude_m);
+        compare(sun_deg, 0.3, look, -0.08, 0.12, altitude_m);
 }
 
 // To a black ball in the air.

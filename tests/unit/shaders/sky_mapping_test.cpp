@@ -79,10 +79,26 @@ TEST(SkyViewMapping, GoesThereAndBackAndBeginsAtTheHorizon) {
 }
 
 TEST(AerialMapping, GoesThereAndBack) {
-  for (int i = -50; i <= 50; ++i) EXPECT_NEAR(glsl::aerial_sine(glsl::aerial_v(i / 50.0F)), i / 50.0F, 1e-6);
+  for (const float dip : {0.0F, 0.06F, 0.34F}) {
+    for (int i = -50; i <= 50; ++i)
+      EXPECT_NEAR(glsl::aerial_sine(glsl::aerial_v(i / 50.0F, dip), dip), i / 50.0F, 1e-5);
+    EXPECT_EQ(glsl::aerial_v(-dip, dip), 0.5);
+  }
   for (const float distance : {0.0F, 10.0F, 5000.0F, 40000.0F, 500000.0F})
     EXPECT_NEAR(glsl::aerial_distance_m(glsl::aerial_w(distance)), distance, 1e-4 * distance);
   EXPECT_EQ(glsl::aerial_w(1e9F), 1);
+}
+
+TEST(AerialMapping, BeginsBelowItsCeiling) {
+  EXPECT_EQ(glsl::aerial_begin_m(12000, glsl::vec3(0, 0, -1)), 0);
+  EXPECT_NEAR(glsl::aerial_begin_m(30000, glsl::vec3(0, 0, -1)), 14000, 2);
+  EXPECT_EQ(glsl::aerial_begin_m(30000, glsl::vec3(0, 0, 1)), 0);
+  // Nothing jumps where rays just miss it.
+  const double tangent = -std::sqrt(1 - std::pow(6376000.0 / 6390000.0, 2));
+  const auto begin = [](double sine) {
+    return glsl::aerial_begin_m(30000, glsl::vec3(std::sqrt(1 - sine * sine), 0, sine));
+  };
+  EXPECT_NEAR(begin(tangent + 1e-6) / begin(tangent - 1e-6), 1, 0.03);
 }
 
 // The middle of texel i stands for parameter i / (n - 1).
