@@ -1,6 +1,7 @@
 // /api/v1/sequences, /api/v1/references and /api/v1/jobs: work that is ordered, looked after, fetched and deleted.
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "net/byte_range.h"
 #include "net/header_list.h"
 #include "net/mapped_file.h"
@@ -99,7 +100,7 @@ Answer post_reference(const Request& request, Site& site) {
   limits.max_gigasteps = site.parts.settings.max_job_gigasteps;
   auto still = settings::still_from_json(request.body, site.parts.cloudscapes, limits);
   if (still.frame.quality.technique != Technique::path_tracing)
-    return problem(400, "/image/quality must be reference: other qualities are rendered by POST /api/v1/stills.");
+    throw InvalidInput("/image/quality", "must be reference: other qualities are rendered by POST /api/v1/stills");
   return order(request, site, plan_of(std::move(still)));
 }
 

@@ -112,6 +112,7 @@ void PathTracer::begin_wave(Trace& trace, int samples) {
 }
 
 bool PathTracer::advance(Trace& trace, const TracedScene& scene) {
+  pass_for(scene);  // whose compilation is not rendering
   const auto start = Clock::now();
   if (trace.listed == 0) {
     const int samples = next_wave(trace.goal, trace.stand);

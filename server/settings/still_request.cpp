@@ -222,6 +222,8 @@ std::string default_text(const std::string& path, const std::string& own) {
   if (path.starts_with("/camera/") || path.starts_with("/march/") ||
       std::find(shown_as.begin(), shown_as.end(), name) != shown_as.end())
     return "the cloudscape's view";
+  const auto traced = field_names<Tracing>();
+  if (own.empty() && std::find(traced.begin(), traced.end(), name) != traced.end()) return "no limit";
   return name == "samples" ? "the quality's" : own;
 }
 

@@ -31,14 +31,14 @@ TEST(PhaseSampling, EnergiesOfTheCellsAreThoseOfTheFunction) {
   };
   for (std::size_t colour = 0; colour < 3; ++colour) {
     const std::vector<double> energies = cell_energies(table, colour);
-    EXPECT_NEAR(std::accumulate(energies.begin(), energies.end(), 0.0), 1, 2e-6) << colour;
+    EXPECT_NEAR(std::accumulate(energies.begin(), energies.end(), 0.0), 1, 5e-5) << colour;  // linear between texels
     for (const std::size_t cell : {0U, 10U, 400U, 768U, 1200U, 1535U}) {
       const double low = std::cos(phase_angle_rad((cell + 1.0) / phase_table_cells));
       const double high = std::cos(phase_angle_rad(static_cast<double>(cell) / phase_table_cells));
       const double expected = colour == 0   ? (high - low) / 2
                               : colour == 1 ? below(high) - below(low)
                                             : 0.375 * (high - low + (std::pow(high, 3) - std::pow(low, 3)) / 3);
-      EXPECT_NEAR(energies[cell], expected, 1e-4 * expected + 1e-15) << colour << " cell " << cell;
+      EXPECT_NEAR(energies[cell], expected, 1e-4 * expected + 1e-13) << colour << " cell " << cell;
     }
   }
 }

@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "core/content_hash.h"
+#include "core/error.h"
 #include "core/version.h"
 #include "frames.h"
 
@@ -190,7 +191,8 @@ TEST(Exr, HoldsTheStandardErrorOfTracedPictures) {
 TEST(Exr, SaysHowAPictureWasTraced) {
   Frame frame = radiance_frame({2, 2});
   frame.request.quality = render_quality(Quality::reference);
-  frame.request.tracing = {.seed = 4294967295, .max_scattering_order = 3};
+  frame.request.tracing.seed = 4294967295;
+  frame.request.tracing.max_scattering_order = 3;
   const Imf::Header header = decode(encode::encode(frame, exr(ExrType::half))).header;
   EXPECT_EQ(number(header, "trace_seed"), 4294967295.0);
   EXPECT_EQ(integer(header, "trace_max_scattering_order"), 3);
