@@ -121,9 +121,11 @@ bool Renderer::advance_trace(RenderJob& job) {
   scene.textures.insert(scene.textures.end(), {{0, &job.baked->shape()},
                                                {1, &job.baked->detail()},
                                                {2, &job.baked->variation()},
-                                               {8, &sky.transmittance},
-                                               {9, &sky.view},
-                                               {10, &sky.light}});
+                                               {7, &sky.view->aerosol},
+                                               {8, &sky.air->transmittance},
+                                               {9, &sky.view->even},
+                                               {10, &sky.lights->light},
+                                               {14, &sky.view->aerial}});
   const bool done = tracer_.advance(*job.trace, scene);
   if (done) finish_trace(job);
   job.render_ms += ms_since(start);
