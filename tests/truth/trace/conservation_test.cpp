@@ -37,7 +37,9 @@ TEST_F(Conservation, ReflectedAndTransmittedLightIsAllLight) {
         "|\n",
         truth.asymmetry_g, truth.optical_thickness, sum, 100 * std::hypot(up.error, down.error), 100 * (sum - 1));
     EXPECT_NEAR(sum, 1, 0.01);
-    if (truth.reflected > 0) EXPECT_NEAR(up.mean / truth.reflected, 1, 0.01);
+    if (truth.reflected > 0) {
+      EXPECT_NEAR(up.mean / truth.reflected, 1, 0.01);
+    }
   }
 }
 

@@ -23,7 +23,8 @@ void expect_cosines(const std::function<float(float)>& draw, const std::function
   }
   for (std::size_t cell = 0; cell < 10; ++cell) {
     const long double low = -1 + 0.2L * cell;
-    const double share = 6.283185307179586L * integral([&](long double mu) { return phase(mu); }, low, low + 0.2L, 64);
+    const double share =
+        6.283185307179586L * integral([&](long double mu) { return phase(mu); }, low, low + 0.2L, 4096);
     EXPECT_NEAR(counts[cell] / draws, share, 5 * std::sqrt(share / draws) + 1e-4L) << "cosine from " << double(low);
   }
 }
@@ -94,7 +95,7 @@ TEST(Sampling, PhaseTableHaversinesAreInverse) {
   for (float coordinate = 0.02F; coordinate < 1; coordinate += 0.02F) {
     const float haversine = glsl::phase_table_haversine(coordinate);
     EXPECT_NEAR(glsl::phase_table_coordinate(2 * std::sqrt(haversine), 2 * std::sqrt(1 - haversine)), coordinate,
-                1e-5L);
+                2e-4L);  // towards the back 1 - haversine has few digits left
   }
 }
 
