@@ -28,7 +28,12 @@ FrameRequest request_of(const Cloudscape& cloudscape, const glm::dvec3& below) {
 
 DensityExport::DensityExport(gpu::ShaderLibrary& shaders, const Cloudscape& cloudscape,
                              const bake::BakedCloudscape& baked, int resolution)
-    : baked_(baked), pass_(shaders, "render/density.comp"), cloud_("cloud"), block_("density") {
+    : baked_(baked),
+      structures_(shaders),
+      weights_(mixing_weights(cloudscape)),
+      pass_(shaders, "render/density.comp"),
+      cloud_("cloud"),
+      block_("density") {
   const Cloudscape sky = *as_marched(request_of(cloudscape, glm::dvec3(0)), baked).cloudscape;
   const glm::dvec3 size_m = sky.volume.size_m;
   low_m_ = sky.volume.origin_m;
@@ -48,10 +53,12 @@ DensityExport::DensityExport(gpu::ShaderLibrary& shaders, const Cloudscape& clou
 
 std::vector<float> DensityExport::slices(int z) {
   const int count = std::min(slab, size_.z - z);
+  const gpu::Texture& structure = structures_.of(baked_, weights_);
   block_.upload({corner_, ivec4(size_, z)});
   cloud_.bind();
   block_.bind();
-  const gpu::Binding textures[] = {{0, &baked_.shape()}, {1, &baked_.detail()}, {2, &baked_.variation()}};
+  const gpu::Binding textures[] = {
+      {0, &baked_.shape()}, {1, &baked_.detail()}, {2, &baked_.variation()}, {4, &structure}};
   pass_.run(target_, 0, count, textures);
   const std::vector<std::uint8_t> bytes = target_.download();
   std::vector<float> densities(count_of({size_.x, size_.y, count}));

@@ -1,8 +1,9 @@
 // The density of a cloudscape in voxels, as the march finds it where its samples lie close together.
 #pragma once
+#include <array>
 #include <vector>
 
-#include "bake/baked_cloudscape.h"
+#include "bake/structure.h"
 #include "core/frame.h"
 #include "gpu/pass.h"
 #include "render/blocks.h"
@@ -29,6 +30,8 @@ class DensityExport {
   glm::ivec3 size_{1};
   vec4 corner_{0};
   const bake::BakedCloudscape& baked_;
+  bake::StructureBuilder structures_;
+  std::array<double, 3> weights_;
   gpu::VolumePass pass_;
   gpu::Texture target_;
   gpu::UniformBlock<CloudBlock> cloud_;

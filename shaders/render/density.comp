@@ -10,14 +10,22 @@ float density_in_box(vec3 p) {
   return density_at(p);
 }
 
+// Whether there can be density in a voxel: outside the structure none is within half a large step.
+bool can_be_dense(vec3 middle) {
+  bool small = 0.87 * density_values.corner.w < 0.5 * cloud.structure.x;  // half a cube's diagonal
+  return !is_textured() || !small || inside_structure(middle, land_at(middle));
+}
+
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, volume_pass.z_begin);
   ivec3 voxel = texel + ivec3(0, 0, density_values.size.w);
   if (any(greaterThanEqual(voxel, density_values.size.xyz))) return;
+  vec3 corner = density_values.corner.xyz + density_values.corner.w * vec3(voxel);
+  int points = can_be_dense(corner + 0.5 * density_values.corner.w) ? 8 : 0;
   float sum = 0.0;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < points; ++i) {
     vec3 part = 0.25 + 0.5 * vec3(i & 1, (i >> 1) & 1, i >> 2);
-    sum += density_in_box(density_values.corner.xyz + density_values.corner.w * (vec3(voxel) + part));
+    sum += density_in_box(corner + density_values.corner.w * part);
   }
   imageStore(target, texel, vec4(sum / 8.0));
 }

@@ -117,6 +117,8 @@ class RoundTrip(VolumeTest):
         moved = self.still(scaled, "moved.png")
         self.assertLess(mean_difference(own, boxed), 0.6)
         self.assertLess(mean_difference(own, moved), 0.6)
+        self.refused(from_file(BALL, "ball.vdb", metres_per_unit=1e-6), 1, "'ball.vdb'", "metres_per_unit")
+        self.refused(from_file(BALL, "ball.vdb", name="smoke"), 1, "has no grid 'smoke': it has 'density'")
 
     def test_options_that_cannot_be(self):
         document = self.document("ball.json", BALL)
