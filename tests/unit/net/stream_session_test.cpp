@@ -261,6 +261,16 @@ TEST_F(Viewer, moves_the_sun_and_puts_it_back) {
   EXPECT_EQ(work->request.cloudscape->sun, original);
 }
 
+TEST_F(Viewer, takes_the_sun_from_its_place_by_turning_it) {
+  make();
+  library_.put("noon", R"({"sun": {"place": {"time_utc": "2026-06-21T12:00:00Z"}}})");
+  say(R"({"type":"hello","version":1,"cloudscape":"noon","size_px":[64,36],"sun_elevation_deg":3})");
+  const auto work = render();
+  ASSERT_TRUE(work);
+  EXPECT_EQ(work->request.cloudscape->sun.elevation_deg, 3);
+  EXPECT_EQ(work->request.cloudscape->sun.place.time_utc, "");
+}
+
 TEST_F(Viewer, sees_a_document_that_is_put_anew) {
   make();
   library_.put("mine", R"({"seed": 1})");
