@@ -13,7 +13,7 @@ float density_in_box(vec3 p) {
 // Whether there can be density in a voxel: outside the structure none is within half a large step.
 bool can_be_dense(vec3 middle) {
   bool small = 0.87 * density_values.corner.w < 0.5 * cloud.structure.x;  // half a cube's diagonal
-  return !is_textured() || !small || inside_structure(middle, land_at(middle));
+  return !is_textured() || !small || place_in_structure(middle, land_at(middle)) != outside_structure;
 }
 
 void main() {

@@ -240,7 +240,7 @@ TEST_F(Stills, TexturesAboveTheServersLimitAreNamed) {
   const auto refused = refusal<OverLimit>([&] { asked(512, "rgba8", 128); });
   EXPECT_EQ(refused.pointer, "/cloudscape/volume/resolution");
   EXPECT_THAT(refused.sentence,
-              HasSubstr("is 512 in rgba8, whose textures take 512.25 MiB: this server's limit is 128"));
+              HasSubstr("is 512 in rgba8, whose textures take 512.375 MiB: this server's limit is 128"));
   EXPECT_THAT(refused.sentence, HasSubstr("max_bake_mib"));
   EXPECT_THROW(asked(512, "r16f", 128), OverLimit);
   EXPECT_NO_THROW(asked(512, "r16f", 257));
