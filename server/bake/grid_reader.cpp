@@ -3,19 +3,32 @@
 #include <chrono>
 
 #include "bake/volume_file.h"
+#include "core/content_hash.h"
 #include "core/error.h"
 
 namespace cloudscape::bake {
+namespace {
 
-void GridReader::check(const std::string& key) const {
-  if (const auto failure = failures_.find(key); failure != failures_.end()) throw UnusableFile(failure->second);
+// What is wrong with an OpenVDB file does not depend on how its voxels are wanted: it is read once and not once for
+// each way, since OpenVDB does not free what it has read of a damaged tree.
+std::string failure_key(GridRecipe recipe) {
+  recipe.tiling = false, recipe.interpolation = {};
+  recipe.resolution = 0, recipe.up = {};
+  return content_hash(recipe);
+}
+
+}  // namespace
+
+void GridReader::check(const BakeRecipe& recipe) const {
+  if (const auto failure = failures_.find(failure_key(recipe.grid)); failure != failures_.end())
+    throw UnusableFile(failure->second);
 }
 
 std::optional<std::pair<std::string, BakedTexels>> GridReader::advance(const std::string& key,
                                                                        const BakeRecipe& recipe) {
-  check(key);
+  check(recipe);
   if (!texels_.valid()) {
-    key_ = key;
+    key_ = key, recipe_ = recipe;
     texels_ = std::async(std::launch::async, [recipe, folder = folder_] {
       return grid_texels(recipe, read_volume_file(folder, recipe.grid));
     });
@@ -25,15 +38,15 @@ std::optional<std::pair<std::string, BakedTexels>> GridReader::advance(const std
   try {
     return std::pair(key_, texels_.get());
   } catch (const std::exception& error) {
-    remember_failure(key_, error.what());
+    remember_failure(error.what());
     return std::nullopt;
   }
 }
 
-void GridReader::remember_failure(const std::string& key, const std::string& message) {
+void GridReader::remember_failure(const std::string& message) {
   constexpr std::size_t most_failures = 64;
   if (failures_.size() >= most_failures) failures_.erase(failures_.begin());
-  failures_[key] = message;
+  failures_[failure_key(recipe_.grid)] = message;
 }
 
 }  // namespace cloudscape::bake

@@ -25,7 +25,7 @@ std::shared_ptr<const BakedCloudscape> BakeStore::find(const BakeRecipe& recipe)
     return found->baked;
   }
   if (!recipe.grid.file.empty()) {
-    grids_.check(key);
+    grids_.check(recipe);
     return nullptr;
   }
   if (jobs_.contains(key)) return nullptr;
