@@ -59,8 +59,9 @@ class StepCloud {
   }
 
  private:
+  // Above the ground so far that a picture from below, however it leans, fits in between.
   static Cloudscape cloud(double albedo) {
-    Cloudscape sky = homogeneous(VolumeKind::slab, {0, 0, 10}, {1000, 1000, 250}, 18.0 / 250);
+    Cloudscape sky = homogeneous(VolumeKind::slab, {0, 0, 300}, {1000, 1000, 250}, 18.0 / 250);
     sky.medium.phase = {PhaseKind::henyey_greenstein, 0.85};
     sky.medium.single_scattering_albedo = albedo;
     sky.ground.kind = GroundKind::plain;
@@ -70,7 +71,7 @@ class StepCloud {
   // The picture covers one period of the strips, which run from south to north.
   Measured seen(const Cloudscape& sky, double zenith_deg, bool from_above, int samples) {
     const double up = from_above ? -1 : 1;
-    const CameraPose pose{{0, 0, from_above ? 1000.0 : 2.0}, 90, up * (90 - zenith_deg), 0};
+    const CameraPose pose{{0, 0, from_above ? 1000.0 : 150.0}, 90, up * (90 - zenith_deg), 0};
     const FrameRequest request = traced_beam(sky, pose, 64, samples, 500 * std::cos(radians(zenith_deg)));
     return measured(renderer_.render(request));
   }
