@@ -34,9 +34,9 @@ using Parameters = std::vector<std::pair<std::string, std::string>>;  // decoded
 
 // cloudscape (required without `still`), still, position=E,N,U, azimuth_deg, elevation_deg, roll_deg, vertical_fov_deg,
 // lens, width_m, width, height, quality, samples, time_s, sun_azimuth_deg, sun_elevation_deg, latitude_deg,
-// longitude_deg, time_utc, exposure_ev, tone_curve, dither, format, jpeg_quality, exr_type. What is absent comes from the still that `still` names, if it does, from the
-// document's `view`, then 640x360, standard, time 0, jpeg, 90, half. Throws InvalidInput (pointer "/name"; unknown or
-// repeated parameter too), NotFound (cloudscape, still), OverLimit.
+// longitude_deg, time_utc, exposure_ev, tone_curve, dither, format, jpeg_quality, exr_type. What is absent comes from
+// the still that `still` names, if it does, from the document's `view`, then 640x360, standard, time 0, jpeg, 90, half.
+// Throws InvalidInput (pointer "/name"; unknown or repeated parameter too), NotFound (cloudscape, still), OverLimit.
 StillRequest still_from_parameters(const Parameters& parameters, const CloudscapeLibrary& library,
                                    const StillLimits& limits);
 
