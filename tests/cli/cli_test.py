@@ -83,8 +83,8 @@ class Still(CliTest):
         self.assertEqual(a, b)
         self.assertNotEqual(a, c)
         self.assertIn(b"stderr.R\0", a)
-        self.assert_one_sentence(self.run_program("still", ball, "-o", "d.exr", *traced, "--noise-target", "0"), 1,
-                                 "--noise-target", "within")
+        self.assert_one_sentence(self.run_program("still", ball, "-o", "d.exr", *traced, "--noise-target", "0"), 2,
+                                 "/noise_target is 0", "within")
 
     def test_a_damaged_cache_is_told_once_and_baked_anew(self):
         self.assert_done(self.still(self.sky, "a.png"))
