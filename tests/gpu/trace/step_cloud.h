@@ -11,33 +11,6 @@
 
 namespace cloudscape::render {
 
-// The program's shaders, in which the density of a slab is that of the step cloud.
-class StepCloudShaders {
- public:
-  StepCloudShaders() {
-    std::filesystem::copy(CLOUDSCAPE_SOURCE_DIR "/shaders", folder_, std::filesystem::copy_options::recursive);
-    std::string text = read();
-    const std::string beginning = "float analytic_density(vec3 p) {\n";
-    const auto at = text.find(beginning);
-    EXPECT_NE(at, std::string::npos) << "shaders/render/medium.glsl has no analytic_density any more";
-    text.insert(at + beginning.size(),
-                "  if (volume_kind() == volume_slab) return fract(p.x / 500.0) < 0.5 ? 1.0 / 9.0 : 1.0;\n");
-    std::ofstream(folder_ / "render/medium.glsl") << text;
-  }
-  ~StepCloudShaders() { std::filesystem::remove_all(folder_); }
-  StepCloudShaders(const StepCloudShaders&) = delete;
-  StepCloudShaders& operator=(const StepCloudShaders&) = delete;
-  const std::filesystem::path& folder() const { return folder_; }
-
- private:
-  std::string read() const {
-    std::ifstream file(folder_ / "render/medium.glsl");
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("cloudscape-step-cloud-" + std::to_string(getpid()));
-};
-
 class StepCloud {
  public:
   // Of the flux of a sun at `zenith_deg`, by reciprocity: what one sees at that angle in a white sky above the black
@@ -61,7 +34,10 @@ class StepCloud {
  private:
   // Above the ground so far that a picture from below, however it leans, fits in between.
   static Cloudscape cloud(double albedo) {
-    Cloudscape sky = homogeneous(VolumeKind::slab, {0, 0, 300}, {1000, 1000, 250}, 18.0 / 250);
+    Cloudscape sky = homogeneous(VolumeKind::grid, {0, 0, 300}, {500, 500, 250}, 18.0 / 250);
+    VolumeGrid& grid = sky.volume.grid;
+    grid.file = "step-cloud.raw", grid.size = {32, 1, 1}, grid.tiling = true;
+    grid.interpolation = VoxelInterpolation::nearest;
     sky.medium.phase = {PhaseKind::henyey_greenstein, 0.85};
     sky.medium.single_scattering_albedo = albedo;
     sky.ground.kind = GroundKind::plain;
@@ -73,14 +49,10 @@ class StepCloud {
     const double up = from_above ? -1 : 1;
     const CameraPose pose{{0, 0, from_above ? 1000.0 : 150.0}, 90, up * (90 - zenith_deg), 0};
     const FrameRequest request = traced_beam(sky, pose, 64, samples, 500 * std::cos(radians(zenith_deg)));
-    return measured(renderer_.render(request));
+    return measured(stack_.renderer.render(request));
   }
 
-  StepCloudShaders patched_;
-  gpu::Context context_{{}};
-  gpu::ShaderLibrary shaders_{patched_.folder()};
-  bake::BakeStore bakes_{shaders_, bake::BakeCache({}, 0), std::uint64_t{1} << 30};
-  Renderer renderer_{context_, shaders_, bakes_};
+  Stack stack_{gpu::PassExecution::automatic, {}, CLOUDSCAPE_SOURCE_DIR "/config/volumes"};
 };
 
 // Consensus means over the period; 0: not given.
