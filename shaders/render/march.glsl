@@ -22,6 +22,12 @@ float step_jitter(ivec2 pixel) {
   return fract(noise + golden_ratio * float(frame.sample_info.x));
 }
 
+// The same for the samples of the sunlight: by other numbers (Roberts' R2 sequence), so that it does not go with the first step.
+float light_jitter(ivec2 pixel) {
+  if (cloud.adaptive.z == 0.0) return 0.5;
+  return fract(interleaved_gradient_noise(vec2(pixel) + vec2(31.0, 57.0)) + 0.7548776662 * float(frame.sample_info.x));
+}
+
 // Length of the small step at a distance from the camera: what the quality asks for, and what the adaptive step adds (Olajos 2.4.2).
 float small_step_m(float distance_m) {
   float step_m = max(cloud.steps.x, cloud.steps.y * distance_m) + cloud.adaptive.y * max(0.0, distance_m - cloud.adaptive.x);
@@ -98,11 +104,12 @@ Walk walk_to_cloud(CameraRay ray, Stretch path, Walk walk) {
   return walk;
 }
 
-March march_layer(CameraRay ray, RayLight light, Stretch path, float jitter, float stop_transmittance) {
+March march_layer(CameraRay ray, RayLight light, Stretch path, vec2 jitter, float stop_transmittance) {
   March march = March(vec3(0.0), 1.0, 0.0, 0.0);
-  float begin = path.begin + jitter * small_step_m(path.begin);
-  path.gap_end += jitter * small_step_m(path.gap_end);
+  float begin = path.begin + jitter.x * small_step_m(path.begin);
+  path.gap_end += jitter.x * small_step_m(path.gap_end);
   Walk walk = Walk(begin, -1.0, 0.0, 0.0, Land(0.0, vec2(0.0)));
+  float lit = 0.0;
   while (walk.steps < cloud.steps.z && walk.t < path.end && march.transmittance >= stop_transmittance) {
     // The loops stand one in the other so that each sample costs no more than it must: look for shape noise, then erode it, and
     // light only what is left.
@@ -118,19 +125,19 @@ March march_layer(CameraRay ray, RayLight light, Stretch path, float jitter, flo
       ++walk.steps;
     }
     if (density <= 0.0) break;
-    // Which sample of the ray it is, whatever steps led to it: the structure must not change how light is sampled.
+    // The light's samples differ from one lit step to the next, and not with the distance: that would show as contours.
     float distance_m = dot(p - ray.origin, ray.direction);
-    float number = floor((distance_m - path.begin) / cloud.steps.x);
-    Sample at = Sample(p, walk.land, distance_m, density, fract(jitter + golden_ratio * number));
+    Sample at = Sample(p, walk.land, distance_m, density, fract(jitter.y + golden_ratio * lit));
+    ++lit;
     march = advance(march, light, at, min(step_m, 2.0 * (path.end - distance_m)));
   }
   return march;
 }
 
-March march_ray(CameraRay ray, Stretch path, float jitter, float stop_transmittance) {
+March march_ray(CameraRay ray, Stretch path, vec2 jitter, float stop_transmittance) {
   RayLight light = ray_light(ray.direction);
   March march = is_textured() ? march_layer(ray, light, path, jitter, stop_transmittance)
-                              : march_analytic(ray, light, path, jitter, stop_transmittance);
+                              : march_analytic(ray, light, path, jitter.x, stop_transmittance);
   if (march.transmittance < stop_transmittance) march.transmittance = 0.0;
   return march;
 }
@@ -159,7 +166,7 @@ PassOutput shade(ivec2 march_pixel) {
     return PassOutput(vec4(0.0, 0.0, 0.0, 1.0), vec4(no_hit_m, visibility, 0.0, 0.0));
   // The sun's disc is 20,000 times brighter than a cloud: before it even thin remainders of it can be seen.
   float stop = dot(ray.direction, frame.light_direction.xyz) > 0.9995 ? 1.0e-6 : 0.003;
-  March march = march_ray(ray, path, step_jitter(march_pixel), stop);
+  March march = march_ray(ray, path, vec2(step_jitter(march_pixel), light_jitter(march_pixel)), stop);
   if (march.weight <= 0.0) return PassOutput(vec4(0.0, 0.0, 0.0, 1.0), vec4(no_hit_m, visibility, 0.0, 0.0));
   float distance_m = march.weighted_distance_m / march.weight;
   Air air = air_to(ray.direction, distance_m);
