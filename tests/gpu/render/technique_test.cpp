@@ -143,6 +143,39 @@ TEST_F(Technique, RandomFirstStepTurnsBandsIntoNoise) {
   EXPECT_LT(noise.of_blocks, 0.3 * bands.of_blocks);
 }
 
+// What few samples of the light get wrong differs from pixel to pixel, and averages out over eight neighbours in a row.
+// It once went with the distance, and showed as contours on the clouds' undersides.
+TEST_F(Technique, FewSamplesOfTheLightShowAsNoiseAndNotAsContours) {
+  Cloudscape sky;
+  sky.seed = 7;
+  sky.volume.origin_m = {0, 0, 1100}, sky.volume.size_m = {8000, 8000, 1900};
+  sky.shape.coverage = 0.3, sky.shape.height_fall = 1.4;
+  sky.shape.coverage_variation = {0.2, 25000};
+  sky.sun.azimuth_deg = 110, sky.sun.elevation_deg = 46;
+  sky.medium.ambient = 0;
+  sky.ground.kind = GroundKind::none, sky.sky.kind = SkyKind::none;
+  FrameRequest request = picture(sky, {{0, 0, 350}, 0, 25, 0}, {96, 54});
+  request.lens.vertical_fov_deg = 9;
+  request.quality = {.max_steps = 256, .step_m = 22, .step_growth = 0.016, .light_steps = 6, .samples = 8};
+  const Frame few = render(request);
+  request.march.light_steps = 96;
+  const Frame many = render(request);
+  // By how much the mean of eight pixels in a row differs from those above and below, less what the right picture has.
+  const auto row_error = [&](int block, int y) {
+    double sum = 0;
+    for (int i = 0; i < 8; ++i) sum += (red(few, y * 96 + 8 * block + i) - red(many, y * 96 + 8 * block + i)) / 8;
+    return sum;
+  };
+  double contours = 0, light = 0;
+  for (int block = 0; block < 12; ++block)
+    for (int y = 1; y + 1 < 54; ++y) {
+      contours += std::abs(row_error(block, y) - 0.5 * (row_error(block, y - 1) + row_error(block, y + 1)));
+      light += red(many, y * 96 + 8 * block);
+    }
+  EXPECT_GT(light, 1);
+  EXPECT_LT(contours / light, 0.016) << "0.010 by noise alone, 0.024 with the contours";
+}
+
 // An opaque cloud without lighting shows the source function itself, whatever the phase function.
 TEST_F(Technique, WithoutLightingAllOfTheCloudIsLitAlike) {
   Cloudscape sky = ball(200, 200);
