@@ -39,8 +39,7 @@ class Zip : public FrameContainer {
   }
   ~Zip() override {
     if (finished_) return;
-    archive_write_fail(archive_.get());  // what is not whole need not be closed
-    archive_.reset();
+    archive_.reset();  // closes it first: libarchive would not free its buffer after archive_write_fail
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
   }

@@ -1,4 +1,0 @@
-// Linked into sanitized builds. OpenVDB does not free the part of a tree that it has read when it finds it damaged.
-// What cannot be used is remembered (bake/grid_reader.h), so that a damaged file is read once.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:openvdb"; }
