@@ -40,15 +40,16 @@ struct Phase {
 };
 
 // single: Beer-Lambert, first order only. olajos: exp(-m d) (1 - exp(-c d)) (Olajos 2.5). beer_octaves: several
-// attenuated, broadened copies of single scattering (Wrenninge 2013).
-enum class LightFunctionKind { single, olajos, beer_octaves };
+// attenuated, broadened copies of single scattering (Wrenninge 2013). beer_powder: 2 exp(-d) (1 - exp(-2 d))
+// (Schneider and Vos 2015).
+enum class LightModelKind { single, olajos, beer_octaves, beer_powder };
 template <>
-struct EnumNames<LightFunctionKind> {
-  static constexpr std::array<std::string_view, 3> names{"single", "olajos", "beer-octaves"};
+struct EnumNames<LightModelKind> {
+  static constexpr std::array<std::string_view, 4> names{"single", "olajos", "beer-octaves", "beer-powder"};
 };
 
-struct LightFunction {
-  LightFunctionKind kind = LightFunctionKind::beer_octaves;
+struct LightModel {
+  LightModelKind kind = LightModelKind::beer_octaves;
   double olajos_attenuation = 0.25;
   double olajos_in_scatter = 2.0;
   double olajos_gain = 1.0;
@@ -61,7 +62,7 @@ struct LightFunction {
   double octave_scattering = 0.8;
   double octave_extinction = 0.4;
   double octave_asymmetry = 0.6;
-  bool operator==(const LightFunction&) const = default;
+  bool operator==(const LightModel&) const = default;
 
   static void fields(auto& self, auto&& visit) {
     visit("kind", self.kind, Limits{}, "What becomes of sunlight on its way to a point in the cloud.");
@@ -75,7 +76,7 @@ struct LightFunction {
         "Dark base colour of the cloud (red, green, blue), in place of the sky's light; 1: as a white diffuse surface "
         "in the sun.");
     visit("olajos_bright", self.olajos_bright, Limits{0, 10},
-          "Bright colour that the light function adds to it (red, green, blue).");
+          "Bright colour that the light model adds to it (red, green, blue).");
     visit("octaves", self.octaves, Limits{1, 8}, "Octaves of beer-octaves, the first order included.");
     visit("octave_scattering", self.octave_scattering, Limits{0, 1}, "Contribution ratio of neighbouring octaves.");
     visit("octave_extinction", self.octave_extinction, Limits{0, 1}, "Extinction ratio of neighbouring octaves.");
@@ -89,7 +90,7 @@ struct Medium {
   double single_scattering_albedo = 1.0;
   double ambient = 1.0;
   Phase phase;
-  LightFunction light_function;
+  LightModel light_model;
   bool operator==(const Medium&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -98,7 +99,7 @@ struct Medium {
     visit("ambient", self.ambient, Limits{0, 10},
           "Scale of the light from the sky above and the ground below; 0: none.");
     visit("phase", self.phase, Limits{}, "Phase function and its parameters.");
-    visit("light_function", self.light_function, Limits{}, "Sunlight inside the cloud.");
+    visit("light_model", self.light_model, Limits{}, "Sunlight inside the cloud.");
   }
 };
 

@@ -31,7 +31,7 @@ struct Octaves {
   void set(int octave, double value) { (octave < 4 ? low : high)[octave % 4] = static_cast<float>(value); }
 };
 
-void set_light_function(CloudBlock& block, const LightFunction& light) {
+void set_light_model(CloudBlock& block, const LightModel& light) {
   Octaves weight, extinction, asymmetry;
   for (int octave = 0; octave < light.octaves; ++octave) {
     weight.set(octave, std::pow(light.octave_scattering, octave));
@@ -190,8 +190,8 @@ CloudBlock cloud_block(const FrameRequest& asked, const bake::BakedCloudscape& b
   block.medium = {medium.extinction_per_m, medium.extinction_per_m * medium.single_scattering_albedo, medium.ambient,
                   static_cast<int>(medium.phase.kind)};
   block.phase = {medium.phase.asymmetry_g, medium.phase.second_asymmetry_g, medium.phase.second_weight,
-                 static_cast<int>(medium.light_function.kind)};
-  set_light_function(block, medium.light_function);
+                 static_cast<int>(medium.light_model.kind)};
+  set_light_model(block, medium.light_model);
   set_march(block, request, baked);
   return block;
 }

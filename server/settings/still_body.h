@@ -69,11 +69,11 @@ struct StillSun {
 // How the medium interacts with light, where a request changes it.
 struct StillMedium {
   Phase phase;
-  LightFunction light_function;
+  LightModel light_model;
 
   static void fields(auto& self, auto&& visit) {
     visit("phase", self.phase, Limits{}, "Phase function and its parameters.");
-    visit("light_function", self.light_function, Limits{}, "Sunlight inside the cloud.");
+    visit("light_model", self.light_model, Limits{}, "Sunlight inside the cloud.");
   }
 };
 
@@ -100,7 +100,7 @@ struct StillBody {
     visit("image", self.image, Limits{}, "Size, quality and format.");
     visit("sun", self.sun, Limits{}, "Where the sun stands; by default as the cloudscape says.");
     visit("march", self.march, Limits{}, "Techniques of the ray march; by default as the cloudscape's view says.");
-    visit("medium", self.medium, Limits{}, "Phase and light function; by default as the cloudscape says.");
+    visit("medium", self.medium, Limits{}, "Phase and light model; by default as the cloudscape says.");
   }
 };
 

@@ -21,7 +21,7 @@ std::string parameter_name(const std::string& path) {
   if (path == "/camera/position_m") return "position";
   if (path == "/camera/lens/kind") return "lens";
   if (path == "/medium/phase/kind") return "phase";
-  if (path == "/medium/light_function/kind") return "light_function";
+  if (path == "/medium/light_model/kind") return "light_model";
   if (path == "/sun/azimuth_deg") return "sun_azimuth_deg";
   if (path == "/sun/elevation_deg") return "sun_elevation_deg";
   return path.substr(path.rfind('/') + 1);
@@ -47,7 +47,7 @@ StillBody body_of(const Cloudscape& cloudscape) {
   body.image.encoding.chroma = ChromaSubsampling::none;
   body.sun.sun = cloudscape.sun;
   body.march = cloudscape.view.march;
-  body.medium = {cloudscape.medium.phase, cloudscape.medium.light_function};
+  body.medium = {cloudscape.medium.phase, cloudscape.medium.light_model};
   return body;
 }
 
@@ -112,7 +112,7 @@ std::shared_ptr<const Cloudscape> as_asked(const std::shared_ptr<const Cloudscap
   auto changed = std::make_shared<Cloudscape>(*cloudscape);
   place_sun(*changed, body, prefix == "/" ? "/time_utc" : "/sun/place/time_utc");
   changed->medium.phase = body.medium.phase;
-  changed->medium.light_function = body.medium.light_function;
+  changed->medium.light_model = body.medium.light_model;
   return *changed == *cloudscape ? cloudscape : changed;
 }
 

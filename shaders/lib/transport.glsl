@@ -16,4 +16,8 @@ vec2 integrate_segment(float extinction_per_m, float length_m) {
 float olajos_light(float optical_depth, float attenuation, float in_scatter) {
   return exp(-attenuation * optical_depth) * (1.0 - exp(-in_scatter * optical_depth));
 }
+
+// 2 exp(-d) (1 - exp(-2 d)): darker where light has met little cloud that could scatter it (Schneider and Vos 2015, "The
+// Real-time Volumetric Cloudscapes of Horizon Zero Dawn").
+float beer_powder(float optical_depth) { return 2.0 * exp(-optical_depth) * (1.0 - exp(-2.0 * optical_depth)); }
 #endif

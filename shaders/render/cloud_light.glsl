@@ -9,6 +9,7 @@ layout(binding = 6) uniform sampler2D cloud_sun_table;
 
 const int light_single = 0;
 const int light_olajos = 1;
+const int light_beer_powder = 3;
 bool lighting() { return cloud.adaptive.w > 0.0; }
 
 // Where the sample of light step i lies: the steps end at the squares of their number's share.
@@ -106,6 +107,7 @@ vec3 sun_scatter(RayLight light, float optical_depth) {
     return light.phase * exp(-optical_depth) +
            vec3(cloud.olajos.z * phase_isotropic * olajos_light(optical_depth, cloud.olajos.x, cloud.olajos.y));
   }
+  if (kind == light_beer_powder) return light.phase * beer_powder(optical_depth);
   vec4 beams = exp(-optical_depth * cloud.octave_extinction_low);
   float sum = dot(light.octaves_low, beams);
   if (cloud.octave_weight_high.x > 0.0) sum += dot(light.octaves_high, exp(-optical_depth * cloud.octave_extinction_high));

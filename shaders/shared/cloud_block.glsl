@@ -11,7 +11,7 @@
    weights: of the four shape channels. variation: 1 / period (1/m), offset east, north (periods), 0.
    detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, sample spacing from which it is averaged (m), the same for its finest part;
    change of the shape for each metre between samples (1/m).
-   medium: extinction (1/m), scattering (1/m), ambient scale, phase kind. phase: g, second g, second weight, light function.
+   medium: extinction (1/m), scattering (1/m), ambient scale, phase kind. phase: g, second g, second weight, light model.
    olajos: attenuation, in-scatter, gain, 0.
    octave_weight_low/high, octave_extinction_low/high, octave_asymmetry_low/high: of octaves 0..3 and 4..7; weight 0: unused.
    steps: small step (m), least share of the distance, greatest number, light steps. adaptive: begin (m), growth of the small step for each

@@ -65,7 +65,7 @@ inline Cloudscape empty_world() {
   sky.volume.kind = VolumeKind::sphere;
   sky.medium.extinction_per_m = 0;
   sky.medium.ambient = 0;
-  sky.medium.light_function.kind = LightFunctionKind::single;
+  sky.medium.light_model.kind = LightModelKind::single;
   sky.sky.kind = SkyKind::none;
   sky.ground.kind = GroundKind::none;
   sky.sun.irradiance = glm::dvec3(1);

@@ -54,13 +54,12 @@ void expect_alike(const Frame& a, const Frame& b, double share, const std::strin
 }
 
 TEST_F(Grids, OfOneDensityIsAHomogeneousBox) {
-  for (const LightFunctionKind light :
-       {LightFunctionKind::single, LightFunctionKind::olajos, LightFunctionKind::beer_octaves}) {
+  for (const LightModelKind light : {LightModelKind::single, LightModelKind::olajos, LightModelKind::beer_octaves}) {
     Cloudscape voxels = grid({5, 4, 3}, std::vector<float>(60, 0.25F), 0.005);
     voxels.volume.grid.density_scale = 8;  // a density of 2
     Cloudscape box = homogeneous(VolumeKind::box, low_m, size_m, 0.01);
     for (Cloudscape* sky : {&voxels, &box}) {
-      sky->medium.light_function.kind = light;
+      sky->medium.light_model.kind = light;
       sky->medium.phase.asymmetry_g = 0.5;
       sky->sun.azimuth_deg = 100, sky->sun.elevation_deg = 35;
     }

@@ -39,11 +39,11 @@ TEST_F(Mie, EveryColourHasItsPhaseFunction) {
 TEST_F(Mie, TheOrdersAboveTheFirstHaveItsMeanCosine) {
   Cloudscape sky = thin_ball(143);
   const auto first = phase_of(render(one_ray(sky, {camera_m, 0, 0, 0})));
-  sky.medium.light_function = {.kind = LightFunctionKind::beer_octaves,
-                               .octaves = 2,
-                               .octave_scattering = 0.5,
-                               .octave_extinction = 0.5,
-                               .octave_asymmetry = 0.5};
+  sky.medium.light_model = {.kind = LightModelKind::beer_octaves,
+                            .octaves = 2,
+                            .octave_scattering = 0.5,
+                            .octave_extinction = 0.5,
+                            .octave_asymmetry = 0.5};
   const auto both = phase_of(render(one_ray(sky, {camera_m, 0, 0, 0})));
   const double g = bake::mie_phase_table({.effective_radius_um = 4})->mean_asymmetry_g();
   const double second = 0.5 * henyey_greenstein(std::cos(radians(143)), 0.5 * g);

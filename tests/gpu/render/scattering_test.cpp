@@ -149,24 +149,24 @@ TEST_F(Scattering, FollowsEachPhaseFunction) {
 
 // Inside a slab and level, everything that is seen lies under one optical depth of medium: what comes back is the light
 // function itself.
-double light_at(LightFunction light, double optical_depth, const auto& render) {
+double light_at(LightModel light, double optical_depth, const auto& render) {
   Cloudscape sky = lit_from(homogeneous(VolumeKind::slab, {0, 0, 1000}, {1000, 1000, 1000}, 0.004), 0, 90);
-  sky.medium.light_function = light;
+  sky.medium.light_model = light;
   return red(render(one_beam(sky, {{0, 0, 2000 - optical_depth / 0.004}, 30, 0, 0})));
 }
 
-TEST_F(Scattering, LightFunctionsAreTheirFormulas) {
+TEST_F(Scattering, LightModelsAreTheirFormulas) {
   const auto ray = [](const FrameRequest& request) { return render(request); };
   for (const double d : {0.1, 1.0, 3.0}) {
     const double first = henyey_greenstein(0, g) * std::exp(-d);
-    EXPECT_NEAR(light_at({LightFunctionKind::single}, d, ray) / first, 1, 2e-3);
-    LightFunction olajos{LightFunctionKind::olajos};
+    EXPECT_NEAR(light_at({LightModelKind::single}, d, ray) / first, 1, 2e-3);
+    LightModel olajos{LightModelKind::olajos};
     olajos.olajos_dark = glm::dvec3(0);
     olajos.olajos_attenuation = 0.3, olajos.olajos_in_scatter = 1.7, olajos.olajos_gain = 0.8;
     const double in_scattered = std::exp(-0.3 * d) * (1 - std::exp(-1.7 * d));
     EXPECT_NEAR(light_at(olajos, d, ray) / (first + 0.8 / (4 * std::numbers::pi) * in_scattered), 1, 2e-3);
     for (const int octaves : {1, 3, 4, 5, 8}) {
-      LightFunction beer{LightFunctionKind::beer_octaves};
+      LightModel beer{LightModelKind::beer_octaves};
       beer.octaves = octaves, beer.octave_scattering = 0.7, beer.octave_extinction = 0.5, beer.octave_asymmetry = 0.6;
       double sum = 0;
       for (int i = 0; i < octaves; ++i)

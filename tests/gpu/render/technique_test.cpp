@@ -184,9 +184,9 @@ TEST_F(Technique, WithoutLightingAllOfTheCloudIsLitAlike) {
   const double flat = 0.5 / std::numbers::pi;
   EXPECT_NEAR(red(render(request)) / flat, 1, 0.01);
   sky.sun.azimuth_deg = 0;
-  sky.medium.light_function.kind = LightFunctionKind::olajos;
-  sky.medium.light_function.olajos_dark = {0.25, 0, 0};
-  sky.medium.light_function.olajos_bright = {0.5, 0, 0};
+  sky.medium.light_model.kind = LightModelKind::olajos;
+  sky.medium.light_model.olajos_dark = {0.25, 0, 0};
+  sky.medium.light_model.olajos_bright = {0.5, 0, 0};
   request = one_ray(sky, {camera_m, 0, 0, 0});
   request.march.lighting = false;
   EXPECT_NEAR(red(render(request)) / (0.25 / std::numbers::pi + 0.5 * flat), 1, 0.01);

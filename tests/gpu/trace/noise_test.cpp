@@ -14,7 +14,7 @@ Cloudscape soft_clouds() {
   sky.detail.period_m = 10;
   sky.medium.extinction_per_m = 0.01;
   sky.medium.ambient = 0;
-  sky.medium.light_function.kind = LightFunctionKind::single;
+  sky.medium.light_model.kind = LightModelKind::single;
   sky.medium.phase = {PhaseKind::henyey_greenstein, 0.3};
   sky.sky.kind = SkyKind::none;
   sky.ground.kind = GroundKind::none;

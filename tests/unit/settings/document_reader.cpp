@@ -180,7 +180,7 @@ TEST(DocumentReader, WritesWhatItReads) {
   sky.shape.threshold = 0.1 + 0.2;
   sky.shape.towers = {Tower{}, Tower{{0.1, 1.0 / 3}, 0.07, 0.8, 1.5}};
   sky.sun.irradiance = {1e-7, 123456.789, 1e6};
-  sky.medium.light_function.kind = LightFunctionKind::olajos;
+  sky.medium.light_model.kind = LightModelKind::olajos;
   const std::string text = to_json(sky);
   EXPECT_EQ(parsed(text), sky);
   EXPECT_EQ(to_json(parsed(text)), text);

@@ -9,7 +9,7 @@
 namespace cloudscape {
 namespace {
 
-using glsl::integrate_segment, glsl::olajos_light;
+using glsl::beer_powder, glsl::integrate_segment, glsl::olajos_light;
 
 TEST(Segment, MeetsTheClosedForm) {
   for (const float extinction : {1e-7F, 1e-4F, 0.04F, 0.3F, 10.0F})
@@ -75,4 +75,11 @@ TEST(OlajosLight, VanishesAtTheSurfaceAndDeepInside) {
 }
 
 }  // namespace
+TEST(BeerPowder, IsBrightestBehindSomeCloudAndAtMostAsBrightAsTheLightThatComes) {
+  // 2 x (1 - x^2) with x = exp(-d): greatest at x = 1 / sqrt(3), where it is 4 / (3 sqrt(3)).
+  EXPECT_NEAR(beer_powder(0.5F * std::log(3.0F)), 0.769800, 1e-6);
+  EXPECT_EQ(beer_powder(0), 0);
+  EXPECT_LT(beer_powder(30), 1e-6);
+}
+
 }  // namespace cloudscape
