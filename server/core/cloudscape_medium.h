@@ -41,11 +41,13 @@ struct Phase {
 
 // single: Beer-Lambert, first order only. olajos: exp(-m d) (1 - exp(-c d)) (Olajos 2.5). beer_octaves: several
 // attenuated, broadened copies of single scattering (Wrenninge 2013). beer_powder: 2 exp(-d) (1 - exp(-2 d))
-// (Schneider and Vos 2015).
-enum class LightModelKind { single, olajos, beer_octaves, beer_powder };
+// (Schneider and Vos 2015). in_scatter_volume: the first order as single has it, all others from a grid that they are
+// solved on (server/bake/in_scatter.h).
+enum class LightModelKind { single, olajos, beer_octaves, beer_powder, in_scatter_volume };
 template <>
 struct EnumNames<LightModelKind> {
-  static constexpr std::array<std::string_view, 4> names{"single", "olajos", "beer-octaves", "beer-powder"};
+  static constexpr std::array<std::string_view, 5> names{"single", "olajos", "beer-octaves", "beer-powder",
+                                                         "in-scatter-volume"};
 };
 
 struct LightModel {
@@ -62,6 +64,7 @@ struct LightModel {
   double octave_scattering = 0.8;
   double octave_extinction = 0.4;
   double octave_asymmetry = 0.6;
+  int volume_resolution = 64;
   bool operator==(const LightModel&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -81,6 +84,8 @@ struct LightModel {
     visit("octave_scattering", self.octave_scattering, Limits{0, 1}, "Contribution ratio of neighbouring octaves.");
     visit("octave_extinction", self.octave_extinction, Limits{0, 1}, "Extinction ratio of neighbouring octaves.");
     visit("octave_asymmetry", self.octave_asymmetry, Limits{0, 1}, "Asymmetry ratio of neighbouring octaves.");
+    visit("volume_resolution", self.volume_resolution, Limits{8, 192, true},
+          "Points of the in-scatter-volume along a side of the tile; twice as many take eight times as long to solve.");
   }
 };
 

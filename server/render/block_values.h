@@ -6,6 +6,7 @@
 #include "bake/baked_cloudscape.h"
 #include "core/frame.h"
 #include "render/blocks.h"
+#include "render/in_scatter_plan.h"
 
 namespace cloudscape::render {
 
@@ -35,9 +36,12 @@ LandSlopes land_slopes(const Cloudscape& sky, const bake::BakedCloudscape& baked
 // `sample`: index in the average that the frame belongs to; 0 looks through the middle of the pixel.
 FrameBlock frame_block(const FrameRequest& request, int sample);
 // Of the frame block: sun, moon, stars, and what lights the clouds.
-bool moon_lights(const Cloudscape& sky);          // whether it is the moon that lights clouds and ground
-double light_azimuth_deg(const Cloudscape& sky);  // of that or of the sun
+bool moon_lights(const Cloudscape& sky);               // whether it is the moon that lights clouds and ground
+glm::dvec3 direction_of_light(const Cloudscape& sky);  // towards it, unit
+double light_azimuth_deg(const Cloudscape& sky);       // of that or of the sun
 void set_lights(FrameBlock& block, const FrameRequest& request);
+// Of a document as it is marched.
+InScatterPlan in_scatter_plan_of(const Cloudscape& marched, const bake::BakedCloudscape& baked);
 CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape& baked);
 
 }  // namespace cloudscape::render

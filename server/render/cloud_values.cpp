@@ -31,7 +31,10 @@ struct Octaves {
   void set(int octave, double value) { (octave < 4 ? low : high)[octave % 4] = static_cast<float>(value); }
 };
 
-void set_light_model(CloudBlock& block, const LightModel& light) {
+void set_light_model(CloudBlock& block, LightModel light) {
+  // tuned: light that is still within the forward peak goes on by a function three quarters as narrow.
+  if (light.kind == LightModelKind::in_scatter_volume)
+    light.octaves = 2, light.octave_scattering = 1, light.octave_asymmetry = 0.75;
   Octaves weight, extinction, asymmetry;
   for (int octave = 0; octave < light.octaves; ++octave) {
     weight.set(octave, std::pow(light.octave_scattering, octave));
@@ -172,6 +175,16 @@ LandSlopes land_slopes(const Cloudscape& sky, const bake::BakedCloudscape& baked
           2 * swing_of(slow) * steepest.threshold / period_m};
 }
 
+InScatterPlan in_scatter_plan_of(const Cloudscape& marched, const bake::BakedCloudscape& baked) {
+  const VolumeKind kind = marched.volume.kind;
+  if (kind != VolumeKind::noise && !is_from_file(kind)) return in_scatter_plan(marched, 0, 1, 0, 0);
+  const glm::dvec2 altitudes_m = cloud_altitudes_m(marched, baked);
+  const Volume& volume = marched.volume;
+  return in_scatter_plan(marched, (altitudes_m.x - volume.origin_m.z) / volume.size_m.z,
+                         (altitudes_m.y - volume.origin_m.z) / volume.size_m.z, threshold_of(marched, baked),
+                         swing_of(marched.shape.coverage_variation));
+}
+
 CloudBlock cloud_block(const FrameRequest& asked, const bake::BakedCloudscape& baked) {
   const FrameRequest request = as_marched(asked, baked);
   const Cloudscape& sky = *request.cloudscape;
@@ -193,6 +206,7 @@ CloudBlock cloud_block(const FrameRequest& asked, const bake::BakedCloudscape& b
                  static_cast<int>(medium.light_model.kind)};
   set_light_model(block, medium.light_model);
   set_march(block, request, baked);
+  set_in_scatter(block, in_scatter_plan_of(sky, baked));
   return block;
 }
 

@@ -143,6 +143,11 @@ bool moon_lights(const Cloudscape& sky) {
          sky.moon.elevation_deg > -2;
 }
 
+glm::dvec3 direction_of_light(const Cloudscape& sky) {
+  return moon_lights(sky) ? direction_of(sky.moon.azimuth_deg, sky.moon.elevation_deg)
+                          : direction_of(sky.sun.azimuth_deg, sky.sun.elevation_deg);
+}
+
 double light_azimuth_deg(const Cloudscape& sky) {
   return moon_lights(sky) ? sky.moon.azimuth_deg : sky.sun.azimuth_deg;
 }

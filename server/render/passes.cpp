@@ -22,17 +22,18 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
   const Binding tables[] = {{8, &sky.air->transmittance}, {10, &sky.lights->light}, {14, &sky.view->aerial}};
-  const Binding all_textures[] = {{0, &medium.baked.shape()},
-                                  {1, &medium.baked.detail()},
-                                  {2, &medium.baked.variation()},
-                                  {3, &targets.scene_depth},
-                                  {4, &medium.structure},
-                                  tables[0],
-                                  tables[1],
-                                  tables[2],
-                                  {6, &sky.lights->cloud_sun},
-                                  {5, medium.phase}};
-  const auto textures = std::span(all_textures).first(std::size(all_textures) - (medium.phase ? 0 : 1));
+  std::vector<Binding> textures{{0, &medium.baked.shape()},
+                                {1, &medium.baked.detail()},
+                                {2, &medium.baked.variation()},
+                                {3, &targets.scene_depth},
+                                {4, &medium.structure},
+                                tables[0],
+                                tables[1],
+                                tables[2],
+                                {6, &sky.lights->cloud_sun}};
+  if (medium.phase) textures.push_back({5, medium.phase});
+  if (medium.in_scatter)
+    textures.insert(textures.end(), {{11, &medium.in_scatter->mean}, {12, &medium.in_scatter->directed}});
   std::vector<Binding> scene_textures(medium.land.begin(), medium.land.end());
   scene_textures.insert(scene_textures.end(), std::begin(tables), std::end(tables));
   scene_textures.insert(scene_textures.end(), {{7, &sky.view->aerosol}, {9, &sky.view->even}});

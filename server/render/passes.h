@@ -4,6 +4,7 @@
 #include "bake/baked_cloudscape.h"
 #include "gpu/pass.h"
 #include "render/bloom.h"
+#include "render/in_scatter_volumes.h"
 #include "render/sky_tables.h"
 #include "render/targets.h"
 
@@ -18,6 +19,7 @@ class Passes {
     const gpu::Texture& structure;
     std::span<const gpu::Binding> land;   // textures of the scene's terrain
     const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
+    const InScatterVolume* in_scatter = nullptr;
   };
   void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;
   // The whole picture into targets.scratch, averaged with `previous`.

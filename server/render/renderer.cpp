@@ -47,6 +47,7 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
       structures_(shaders),
       passes_(context, shaders),
       sky_(context, shaders),
+      in_scatter_(shaders),
       terrain_(context, shaders, std::move(height_maps)),
       tracer_(context, shaders),
       frame_block_("frame"),
@@ -76,6 +77,7 @@ bool Renderer::advance(RenderJob& job) {
     return false;
   }
   if (job.request.quality.technique == Technique::path_tracing) return advance_trace(job);
+  if (!find_in_scatter(job)) return false;
   if (!job.targets) {
     job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
@@ -104,6 +106,18 @@ bool Renderer::find_baked(RenderJob& job) {
   if (job.phase || phase.kind != PhaseKind::mie) return true;
   job.phase = bakes_.phases().find(phase_recipe(phase), sky.sun.angular_radius_deg);
   return job.phase != nullptr;
+}
+
+// The light in the clouds, where the document's model solves it before the march.
+bool Renderer::find_in_scatter(RenderJob& job) {
+  const Cloudscape& sky = *job.request.cloudscape;
+  if (job.in_scatter || sky.medium.light_model.kind != LightModelKind::in_scatter_volume) return true;
+  const SkyTables::Set tables = bind_blocks(job, job.sample);
+  const FrameRequest marched = as_marched(job.request, *job.baked);
+  const double g = mean_cosine(sky.medium.phase, job.phase ? job.phase->mean_asymmetry_g : 0);
+  job.in_scatter = in_scatter_.find(
+      {marched, *job.baked, structures_.of(*job.baked, mixing_weights(*marched.cloudscape)), *tables.lights, g});
+  return job.in_scatter != nullptr;
 }
 
 // A slice of a path-traced picture.
@@ -155,6 +169,7 @@ SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
   const FrameBlock frame = frame_block(job.request, sample);
   CloudBlock cloud = cloud_block(job.request, *job.baked);
   if (job.phase) cloud.phase.x = static_cast<float>(job.phase->mean_asymmetry_g);
+  set_mean_cosine(cloud, mean_cosine(job.request.cloudscape->medium.phase, cloud.phase.x));
   frame_block_.upload(frame);
   cloud_block_.upload(cloud);
   frame_block_.bind();
@@ -169,7 +184,7 @@ void Renderer::render_rows(RenderJob& job) {
   const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
   const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
   const auto land = terrain_.bind(job.request, job.land);
-  passes_.march(*job.targets, sky, {*job.baked, structure, land, phase}, job.row, end);
+  passes_.march(*job.targets, sky, {*job.baked, structure, land, phase, job.in_scatter.get()}, job.row, end);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
   job.row = end;
   if (!context_.device().software) return context_.flush();
@@ -258,6 +273,7 @@ std::vector<StreamId> Renderer::remembered() const {
 void Renderer::reload_shaders() {
   passes_.reload(shaders_);
   sky_.reload(shaders_);
+  in_scatter_.reload(shaders_);
   terrain_.reload(shaders_);
   tracer_.reload();
 }

@@ -24,7 +24,8 @@ namespace cloudscape::render {
 struct RenderJob {
   FrameRequest request;
   std::shared_ptr<const bake::BakedCloudscape> baked;
-  std::shared_ptr<const bake::PhaseTexture> phase;  // where the document's phase function is looked up
+  std::shared_ptr<const bake::PhaseTexture> phase;    // where the document's phase function is looked up
+  std::shared_ptr<const InScatterVolume> in_scatter;  // where its light model needs one
   Land land;
   std::unique_ptr<Targets> targets;
   int sample = 0, last_sample = 0;  // indices in the average
@@ -71,6 +72,7 @@ class Renderer {
   };
   History& history_of(const FrameRequest& request);
   bool find_baked(RenderJob& job);
+  bool find_in_scatter(RenderJob& job);
   bool advance_trace(RenderJob& job);
   void finish_trace(RenderJob& job);
   SkyTables::Set bind_blocks(const RenderJob& job, int sample);
@@ -84,6 +86,7 @@ class Renderer {
   bake::StructureBuilder structures_;
   Passes passes_;
   SkyTables sky_;
+  InScatterVolumes in_scatter_;
   TerrainStage terrain_;
   PathTracer tracer_;
   TargetPool pool_;

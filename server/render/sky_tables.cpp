@@ -16,7 +16,7 @@ constexpr int orders_after_the_first = 2;  // tuned: one more changes no channel
 constexpr int transmittance_width = 256, transmittance_height = 64, multiple_side = 32, view_width = 48,
               view_height = 56, aerial_width = 24, aerial_height = 32, aerial_depth = 3 * 24, cloud_sun_width = 64,
               cloud_sun_height = 16;
-constexpr int light_entries = 8, rays = 8 * 16, ray_rows = 2;  // render/light_directions.glsl
+constexpr int light_entries = 9, rays = 8 * 16, ray_rows = 2;  // render/light_directions.glsl
 
 Texture table(int width, int height, const char* label) {
   Texture texture(Format::rgba32f, width, height, label);

@@ -2,6 +2,7 @@
 #ifndef RENDER_CLOUD_LIGHT
 #define RENDER_CLOUD_LIGHT
 #include "render/medium.glsl"
+#include "render/in_scatter.glsl"
 #include "render/sky.glsl"
 #include "render/phase_table.glsl"
 #include "lib/transport.glsl"
@@ -10,6 +11,7 @@ layout(binding = 6) uniform sampler2D cloud_sun_table;
 const int light_single = 0;
 const int light_olajos = 1;
 const int light_beer_powder = 3;
+const int light_in_scatter_volume = 4;
 bool lighting() { return cloud.adaptive.w > 0.0; }
 
 // Where the sample of light step i lies: the steps end at the squares of their number's share.
@@ -123,10 +125,27 @@ vec3 ambient(RayLight light, float h) {
   return cloud.medium.z * (light.above * above + light.beside * beside + light.below * below);
 }
 
+// All light scattered towards the camera at p, where the sun's irradiance is `sun`: the first order by the phase function; light that
+// was scattered but little, and so is still about the sun, by a broader one; and all else from the grid, shaded by how much deeper in
+// the cloud the point lies than the grid knows.
+vec3 light_from_volume(RayLight light, vec3 place, vec3 direction, vec3 sun, float optical_depth) {
+  vec4 others = in_scattered(place, direction);
+  float forward = cloud.in_scatter_levels.z;
+  float beam = exp(-optical_depth);
+  float spread_beam = exp(-optical_depth * (1.0 - forward));
+  float deeper = optical_depth * (1.0 - forward) + log(max(others.w, 1.0e-4));
+  float shade = exp(-cloud.in_scatter_levels.w * clamp(deeper, -3.0, 3.0));
+  return sun * (light.phase * beam + vec3(light.octaves_low.y * (spread_beam - beam))) + others.xyz * shade;
+}
+
 // Radiance scattered per metre at density 1.
-vec3 source_radiance(RayLight light, vec3 p, Land land, float jitter) {
+vec3 source_radiance(RayLight light, vec3 p, vec3 direction, Land land, float jitter) {
   float h = clamp(height_in_layer(p), 0.0, 1.0);
   vec3 sun = sun_at(p, h);
+  if (lighting() && int(cloud.phase.w) == light_in_scatter_volume) {
+    float optical_depth = sun_optical_depth(p, land, jitter);
+    return cloud.medium.y * light_from_volume(light, in_scatter_place(p, land, jitter), direction, sun, optical_depth);
+  }
   // tuned: without lighting all of the cloud is as bright as a white diffuse surface that the sun strikes at 60 degrees.
   vec3 scatter = vec3(0.5 / pi);
   if (lighting()) scatter = sun_scatter(light, sun_optical_depth(p, land, jitter));

@@ -1,14 +1,8 @@
 // Writes the density of the medium, with all its detail, into voxels: of each the mean of eight points.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/density_block.glsl"
-#include "render/medium.glsl"
+#include "render/density_in_box.glsl"
 layout(binding = 0, r32f) uniform writeonly image3D target;
-
-float density_in_box(vec3 p) {
-  if (any(lessThan(p, cloud.box_low.xyz)) || any(greaterThan(p, cloud.box_high.xyz))) return 0.0;
-  if (volume_kind() == volume_sphere && distance(p, box_center()) > sphere_radius_m()) return 0.0;
-  return density_at(p);
-}
 
 // Whether there can be density in a voxel: outside the structure none is within half a large step.
 bool can_be_dense(vec3 middle) {

@@ -41,9 +41,10 @@ struct Sample {
 };
 
 // One step through medium of the sample's density.
-March advance(March march, RayLight light, Sample at, float step_m) {
+March advance(March march, RayLight light, vec3 direction, Sample at, float step_m) {
   vec2 segment = integrate_segment(at.density * cloud.medium.x, step_m);
-  march.radiance += march.transmittance * at.density * segment.x * source_radiance(light, at.position, at.land, at.jitter);
+  vec3 source = source_radiance(light, at.position, direction, at.land, at.jitter);
+  march.radiance += march.transmittance * at.density * segment.x * source;
   float absorbed = march.transmittance * (1.0 - segment.y);
   march.weighted_distance_m += absorbed * at.distance_m;
   march.weight += absorbed;
@@ -59,7 +60,7 @@ March march_analytic(CameraRay ray, RayLight light, Stretch path, float jitter, 
     float t = path.begin + (i + jitter) * step_m;
     vec3 p = ray.origin + ray.direction * t;
     Sample at = Sample(p, Land(0.0, vec2(0.0)), t, analytic_density(p), fract(jitter + golden_ratio * i));
-    march = advance(march, light, at, step_m);
+    march = advance(march, light, ray.direction, at, step_m);
   }
   return march;
 }
@@ -129,7 +130,7 @@ March march_layer(CameraRay ray, RayLight light, Stretch path, vec2 jitter, floa
     float distance_m = dot(p - ray.origin, ray.direction);
     Sample at = Sample(p, walk.land, distance_m, density, fract(jitter.y + golden_ratio * lit));
     ++lit;
-    march = advance(march, light, at, min(step_m, 2.0 * (path.end - distance_m)));
+    march = advance(march, light, ray.direction, at, min(step_m, 2.0 * (path.end - distance_m)));
   }
   return march;
 }

@@ -1,6 +1,7 @@
 // targets: rgba32f
 // Table of the colours that light clouds and ground (render/sky.glsl reads them): 0 the sky's irradiance on level ground, 1 radiance of
-// the ground in the sun, 2 to 7 mean radiance of the parts of the sphere about a cloud (render/light_directions.glsl).
+// the ground in the sun, 2 to 7 mean radiance of the
+// parts of the sphere about a cloud (render/light_directions.glsl), 8 that of the last part if no cloud shaded the ground.
 #include "shared/cloud_block.glsl"
 #include "render/light_directions.glsl"
 layout(binding = 0) uniform sampler2D rays_air;
@@ -34,9 +35,8 @@ vec3 ground_radiance_under(float shade) {
   return frame.ground_albedo.xyz / pi * (sun_on_ground() * (1.0 - shade) + level_irradiance());
 }
 
-vec3 mean_of_part(int part) {
-  // tuned: of the light on a cumulus two thirds do not come through.
-  vec3 ground = part == 5 ? ground_radiance_under(0.67 * cloud.volume.z) : vec3(0.0);
+vec3 mean_of_part(int part, float shade) {
+  vec3 ground = part == 5 ? ground_radiance_under(shade) : vec3(0.0);
   bool clear = int(frame.sky.w) == 2;
   vec3 sum = vec3(0.0);
   float count = 0.0;
@@ -53,5 +53,7 @@ vec3 mean_of_part(int part) {
 PassOutput shade(ivec2 pixel) {
   if (pixel.x == 0) return PassOutput(vec4(level_irradiance(), 1.0));
   if (pixel.x == 1) return PassOutput(vec4(ground_radiance_under(0.0), 1.0));
-  return PassOutput(vec4(mean_of_part(pixel.x - 2), 1.0));
+  if (pixel.x == 8) return PassOutput(vec4(mean_of_part(5, 0.0), 1.0));
+  // tuned: of the light on a cumulus two thirds do not come through.
+  return PassOutput(vec4(mean_of_part(pixel.x - 2, 0.67 * cloud.volume.z), 1.0));
 }

@@ -17,6 +17,9 @@
    steps: small step (m), least share of the distance, greatest number, light steps. adaptive: begin (m), growth of the small step for each
    metre beyond it, random first step?, lighting? structure: large step (m; 0: none), slack of the threshold, what is free
    of cloud about a point outside, about one in its outer padding (m).
+   in_scatter_scale, in_scatter_offset: from a place in the volume (0..1) to one in the in-scatter volume; of scale w: levels, one
+   above the other, of offset w: mean cosine of the phase function. in_scatter_levels: threshold of the lowest level, levels for each
+   unit of threshold, share of the light that is scattered into the forward peak, how strongly the fine optical depth shades.
    olajos_dark, olajos_bright: rgb. march: light distance (m), view distance (m), altitudes between which there is cloud (m). */
 #define CLOUD_FIELDS(F) \
   F(vec4, layer) \
@@ -42,6 +45,9 @@
   F(vec4, march) \
   F(vec4, adaptive) \
   F(vec4, structure) \
+  F(vec4, in_scatter_scale) \
+  F(vec4, in_scatter_offset) \
+  F(vec4, in_scatter_levels) \
   F(vec4, olajos_dark) \
   F(vec4, olajos_bright)
 DECLARE_BLOCK(CloudBlock, cloud, 2, CLOUD_FIELDS)

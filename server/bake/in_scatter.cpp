@@ -1,0 +1,153 @@
+#include "bake/in_scatter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "bake/in_scatter_beam.h"
+#include "bake/in_scatter_sweep.h"
+
+namespace cloudscape::bake {
+namespace {
+
+constexpr float sphere = 4 * std::numbers::pi_v<float>;
+
+// The part of the sphere that a direction lies in (shaders/render/light_directions.glsl).
+std::size_t part_of(const glm::vec3& direction, const glm::dvec3& sun) {
+  if (direction.z < 0) return 5;
+  if (direction.z > 0.5F) return 0;
+  const double right = direction.x * sun.y - direction.y * sun.x, ahead = direction.x * sun.x + direction.y * sun.y;
+  if (std::abs(ahead) >= std::abs(right)) return ahead >= 0 ? 1 : 3;
+  return right < 0 ? 2 : 4;
+}
+
+float luminance(const Colours& c) { return 0.2126F * c[0] + 0.7152F * c[1] + 0.0722F * c[2]; }
+
+class Solver {
+ public:
+  explicit Solver(const InScatterProblem& problem)
+      : problem_(problem), grid_(problem.grid), sweeper_(grid_), beam_(grid_.extinction_per_m.size()) {
+    const double f = problem.moments.forward_share, albedo = problem.single_scattering_albedo;
+    for (float& extinction : grid_.extinction_per_m) extinction *= static_cast<float>(1 - albedo * f);
+    albedo_ = static_cast<float>(albedo * (1 - f) / (1 - albedo * f));
+    slope_ = static_cast<float>(3 * (problem.moments.asymmetry_g - f) / (1 - f));
+    beam_ = beam_transmittance(grid_, problem.light.sun_direction);
+  }
+
+  InScatterSolution solve(const InScatterAccuracy& accuracy, const InScatterSolution* begin, std::stop_token stop) {
+    std::vector<Moments> light = begin ? moments_of(*begin) : std::vector<Moments>(beam_.size());
+    InScatterSolution solution;
+    Colours ground = colours(problem_.light.surroundings[5]);
+    do {
+      if (stop.stop_requested()) return solution;
+      Sweeper::Arrived arrived = sweeper_.sweep(sources(light), around(ground));
+      solution.change = change(light, arrived.at);
+      light = std::move(arrived.at);
+      ++solution.iterations;
+      const Colours down = arrived.down + direct_below();
+      solution.share_below = luminance(down) / std::max(1e-20F, luminance(clear_below()));
+      ground = colours(problem_.light.surroundings[5]) * all_of(static_cast<float>(solution.share_below));
+      solution.share_above = luminance(arrived.up) / std::max(1e-20F, luminance(clear_below()));
+    } while (solution.change > accuracy.least_change && solution.iterations < accuracy.most_iterations);
+    put(light, solution);
+    return solution;
+  }
+
+ private:
+  Colours sun_at(std::size_t point) const { return colours(problem_.light.sun_irradiance[point / layer_points()]); }
+  std::size_t layer_points() const {
+    return static_cast<std::size_t>(grid_.size.x) * static_cast<std::size_t>(grid_.size.y);
+  }
+
+  std::vector<Moments> sources(const std::vector<Moments>& light) const {
+    const glm::vec3 sun(problem_.light.sun_direction);
+    const Colours even = all_of(albedo_), directed = all_of(albedo_ * slope_);
+    std::vector<Moments> sources(light.size());
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      const Colours beam = sun_at(i) * all_of(beam_[i] / sphere);
+      sources[i] = {even * (light[i].even + beam), directed * (light[i].east + beam * all_of(sun.x)),
+                    directed * (light[i].north + beam * all_of(sun.y)),
+                    directed * (light[i].up + beam * all_of(sun.z))};
+    }
+    return sources;
+  }
+
+  std::vector<Colours> around(const Colours& ground) const {
+    std::vector<Colours> around;
+    for (const Ordinate& each : sweeper_.directions()) {
+      const std::size_t part = part_of(each.direction, problem_.light.sun_direction);
+      around.push_back(part == 5 ? ground : colours(problem_.light.surroundings[part]));
+    }
+    return around;
+  }
+
+  // Flux of the sun's beam through the lowest layer, and that of all light from above without cloud.
+  Colours direct_below() const {
+    float sum = 0;
+    for (std::size_t i = 0; i < layer_points(); ++i) sum += beam_[i];
+    return sun_at(0) * all_of(sum / static_cast<float>(layer_points()) * slant());
+  }
+  Colours clear_below() const {
+    Colours sum = sun_at(0) * all_of(slant());
+    for (const Ordinate& each : sweeper_.directions())
+      if (each.direction.z > 0)
+        sum += colours(problem_.light.surroundings[part_of(each.direction, problem_.light.sun_direction)]) *
+               all_of(sphere * each.weight * each.direction.z);
+    return sum;
+  }
+  float slant() const { return std::max(0.0F, static_cast<float>(problem_.light.sun_direction.z)); }
+
+  static double change(const std::vector<Moments>& before, const std::vector<Moments>& after) {
+    double difference = 0, sum = 0;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      difference += std::abs(luminance(after[i].even - before[i].even));
+      sum += std::abs(luminance(after[i].even));
+    }
+    return sum > 0 ? difference / sum : 0;
+  }
+
+  static std::vector<Moments> moments_of(const InScatterSolution& solution) {
+    std::vector<Moments> moments(solution.mean.size());
+    const auto lanes = [](const glm::vec4& v) { return Colours{v.x, v.y, v.z, 0}; };
+    for (std::size_t i = 0; i < moments.size(); ++i)
+      moments[i] = {lanes(solution.mean[i]), lanes(solution.directed[0][i]), lanes(solution.directed[1][i]),
+                    lanes(solution.directed[2][i])};
+    return moments;
+  }
+
+  void put(const std::vector<Moments>& light, InScatterSolution& solution) const {
+    const auto vector = [](const Colours& c, float w) { return glm::vec4(c[0], c[1], c[2], w); };
+    solution.mean.resize(light.size());
+    for (auto& directed : solution.directed) directed.resize(light.size());
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      solution.mean[i] = vector(light[i].even, beam_[i]);
+      solution.directed[0][i] = vector(light[i].east, 0);
+      solution.directed[1][i] = vector(light[i].north, 0);
+      solution.directed[2][i] = vector(light[i].up, 0);
+    }
+  }
+
+  const InScatterProblem& problem_;
+  InScatterGrid grid_;  // its extinction less what is scattered into the forward peak
+  Sweeper sweeper_;
+  float albedo_ = 1, slope_ = 0;  // of what is scattered elsewhere: albedo, three times its mean cosine
+  std::vector<float> beam_;
+};
+
+}  // namespace
+
+ScatterMoments scatter_moments(double asymmetry_g) {
+  return {asymmetry_g, asymmetry_g > 0 ? asymmetry_g * asymmetry_g : 0};
+}
+
+std::optional<InScatterSolution> solve_in_scatter(const InScatterProblem& problem, const InScatterAccuracy& accuracy,
+                                                  const InScatterSolution* begin, std::stop_token stop) {
+  Solver solver(problem);
+  InScatterSolution solution = solver.solve(accuracy, begin, stop);
+  if (stop.stop_requested()) return std::nullopt;
+  return solution;
+}
+
+}  // namespace cloudscape::bake

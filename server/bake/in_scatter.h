@@ -1,0 +1,69 @@
+// Light that a cloud has scattered, and that sky and ground send into it: all that is not the sun's own beam, solved on
+// a coarse grid by discrete ordinates (as in Evans 1998, "The Spherical Harmonics Discrete Ordinate Method for
+// Three-Dimensional Atmospheric Radiative Transfer", without its adaptive grid). On the CPU: the same on every device.
+//
+// The forward peak of the phase function is not resolved: light that is scattered into it counts as not scattered
+// (Joseph, Wiscombe and Weinman 1976, "The delta-Eddington approximation"), so that the beam of the sun that the grid
+// knows is the light of all angles within the peak.
+#pragma once
+#include <array>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace cloudscape::bake {
+
+// A grid of points, x fastest, then y, then z (upwards); `periodic`: it repeats east and north, else what lies outside
+// is empty, as is what is above and below.
+struct InScatterGrid {
+  glm::ivec3 size{1};
+  glm::dvec3 spacing_m{1};
+  bool periodic = true;
+  std::vector<float> extinction_per_m;
+};
+
+// Of a phase function: its mean cosine, and the share of its energy that counts as not scattered.
+struct ScatterMoments {
+  double asymmetry_g = 0, forward_share = 0;
+};
+// f = g^2, as of Henyey and Greenstein's function; none for one that scatters backwards.
+ScatterMoments scatter_moments(double asymmetry_g);
+
+struct InScatterLight {
+  glm::dvec3 sun_direction{0, 0, 1};      // towards it, unit
+  std::vector<glm::vec3> sun_irradiance;  // on a plane normal to the beam, by layer of the grid, without cloud
+  std::array<glm::vec3, 6>
+      surroundings{};  // mean radiance of parts of the sphere, as shaders/render/light_directions.glsl
+                       // has them; the last: the ground without the shade of clouds
+};
+
+struct InScatterProblem {
+  InScatterGrid grid;
+  ScatterMoments moments;
+  double single_scattering_albedo = 1;
+  InScatterLight light;
+};
+
+// At each point, by colour: mean radiance of all directions, and the mean of radiance times the direction that it comes
+// from, without the sun's beam. `mean` has in w the share of the beam that arrives, light in the forward peak included.
+struct InScatterSolution {
+  std::vector<glm::vec4> mean;
+  std::array<std::vector<glm::vec4>, 3> directed;  // east, north, up
+  double share_below = 1, share_above = 0;  // of the light from above that leaves below and above, by its luminance
+  int iterations = 0;
+  double change = 0;  // of the last iteration, relative
+};
+
+struct InScatterAccuracy {
+  double least_change = 1e-3;  // relative to the mean, per iteration
+  int most_iterations = 200;
+};
+
+// `begin`: a solution of the same grid to start from, such as that of the sun a little lower. nullopt: stopped.
+std::optional<InScatterSolution> solve_in_scatter(const InScatterProblem& problem,
+                                                  const InScatterAccuracy& accuracy = {},
+                                                  const InScatterSolution* begin = nullptr, std::stop_token stop = {});
+
+}  // namespace cloudscape::bake
