@@ -15,6 +15,9 @@
 
 namespace cloudscape::bake {
 
+// Red, green, blue and nothing, in a register of four (GCC's and Clang's vector extension).
+using Colours = float __attribute__((vector_size(16)));
+
 // A grid of points, x fastest, then y, then z (upwards); `periodic`: it repeats east and north, else what lies outside
 // is empty, as is what is above and below.
 struct InScatterGrid {
@@ -57,13 +60,12 @@ struct InScatterSolution {
 };
 
 struct InScatterAccuracy {
-  double least_change = 1e-3;  // relative to the mean, per iteration
+  double least_change = 3e-4;  // relative to the mean, per iteration
   int most_iterations = 200;
 };
 
-// `begin`: a solution of the same grid to start from, such as that of the sun a little lower. nullopt: stopped.
+// The same for the same problem, whatever was solved before. nullopt: stopped.
 std::optional<InScatterSolution> solve_in_scatter(const InScatterProblem& problem,
-                                                  const InScatterAccuracy& accuracy = {},
-                                                  const InScatterSolution* begin = nullptr, std::stop_token stop = {});
+                                                  const InScatterAccuracy& accuracy = {}, std::stop_token stop = {});
 
 }  // namespace cloudscape::bake

@@ -32,15 +32,16 @@ Colours sum_of(const std::vector<Colours>& values, std::size_t begin, int count)
 struct Sweeper::Path {
   Ordinate ordinate;
   Stencil stencil;
-  Colours around;
-  const std::vector<Moments>* source;
-  std::array<int, 2> counts;           // points of a plane along its axes
-  std::size_t stride;                  // between planes
-  std::array<std::size_t, 2> strides;  // along the plane's axes
-  bool periodic;                       // along the sweep
+  Colours around{};
+  std::span<const Moments> source = {};
+  std::array<int, 2> counts{};           // points of a plane along its axes
+  std::size_t stride = 1;                // between planes
+  std::array<std::size_t, 2> strides{};  // along the plane's axes
+  bool periodic = false;                 // along the sweep
+  std::size_t points() const { return static_cast<std::size_t>(counts[0]) * static_cast<std::size_t>(counts[1]); }
 };
 
-Sweeper::Sweeper(const InScatterGrid& grid) : grid_(grid), ordinates_(ordinates()), kept_(ordinates_.size()) {}
+Sweeper::Sweeper(const InScatterGrid& grid) : grid_(grid), ordinates_(ordinates()) {}
 
 void Sweeper::load(Plane& plane, const Path& path, int layer) const {
   const glm::vec3& d = path.ordinate.direction;
@@ -49,7 +50,7 @@ void Sweeper::load(Plane& plane, const Path& path, int layer) const {
   for (int c = 0; c < path.counts[1]; ++c) {
     std::size_t index = static_cast<std::size_t>(layer) * path.stride + static_cast<std::size_t>(c) * path.strides[1];
     for (int b = 0; b < path.counts[0]; ++b, ++point, index += path.strides[0]) {
-      const Moments& moments = (*path.source)[index];
+      const Moments& moments = path.source[index];
       plane.source[point] = moments.even + moments.east * x + moments.north * y + moments.up * z;
       plane.extinction[point] = grid_.extinction_per_m[index];
     }
@@ -108,15 +109,14 @@ void Sweeper::cross(const Path& path, int layer, Arrived& arrived) {
   }
 }
 
-void Sweeper::follow(const Path& path, std::vector<Colours>& kept, Arrived& arrived) {
-  const std::size_t points = static_cast<std::size_t>(path.counts[0]) * static_cast<std::size_t>(path.counts[1]);
+void Sweeper::follow(const Path& path, std::span<Colours> crossing, Arrived& arrived) {
   for (Plane* plane : {&now_, &before_})
-    plane->radiance.resize(points), plane->source.resize(points), plane->extinction.resize(points);
+    plane->radiance.resize(path.points()), plane->source.resize(path.points()), plane->extinction.resize(path.points());
   const int layers = grid_.size[path.stencil.axis];
   const bool falls = path.stencil.towards[path.stencil.axis] > 0;  // light comes from the far end
   if (path.periodic) {
     load(before_, path, falls ? 0 : layers - 1);
-    before_.radiance = kept;
+    std::copy(crossing.begin(), crossing.end(), before_.radiance.begin());
   } else {
     std::fill(before_.radiance.begin(), before_.radiance.end(), path.around);
     std::fill(before_.source.begin(), before_.source.end(), Colours{});
@@ -128,29 +128,39 @@ void Sweeper::follow(const Path& path, std::vector<Colours>& kept, Arrived& arri
     cross(path, layer, arrived);
     std::swap(now_, before_);
   }
-  if (path.periodic) kept = before_.radiance;
+  if (path.periodic) std::copy(before_.radiance.begin(), before_.radiance.end(), crossing.begin());
 }
 
-Sweeper::Arrived Sweeper::sweep(const std::vector<Moments>& source, const std::vector<Colours>& around) {
-  Arrived arrived;
-  arrived.at.assign(source.size(), Moments{});
+Sweeper::Path Sweeper::path_of(const Ordinate& ordinate) const {
   const std::array<std::size_t, 3> strides{
       1, static_cast<std::size_t>(grid_.size.x),
       static_cast<std::size_t>(grid_.size.x) * static_cast<std::size_t>(grid_.size.y)};
+  Path path{ordinate, stencil_of(ordinate.direction, grid_.spacing_m)};
+  const auto [b, c] = path.stencil.others;
+  path.counts = {grid_.size[b], grid_.size[c]};
+  path.stride = strides[static_cast<std::size_t>(path.stencil.axis)];
+  path.strides = {strides[static_cast<std::size_t>(b)], strides[static_cast<std::size_t>(c)]};
+  path.periodic = grid_.periodic && path.stencil.axis != 2;
+  return path;
+}
+
+std::size_t Sweeper::crossing_count() const {
+  std::size_t count = 0;
+  for (const Ordinate& ordinate : ordinates_)
+    if (const Path path = path_of(ordinate); path.periodic) count += path.points();
+  return count;
+}
+
+Sweeper::Arrived Sweeper::sweep(std::span<const Moments> source, const std::vector<Colours>& around,
+                                std::span<Colours> crossing) {
+  Arrived arrived;
+  arrived.at.assign(source.size(), Moments{});
   for (std::size_t i = 0; i < ordinates_.size(); ++i) {
-    const Stencil stencil = stencil_of(ordinates_[i].direction, grid_.spacing_m);
-    const auto [b, c] = stencil.others;
-    const Path path{ordinates_[i],
-                    stencil,
-                    around[i],
-                    &source,
-                    {grid_.size[b], grid_.size[c]},
-                    strides[static_cast<std::size_t>(stencil.axis)],
-                    {strides[static_cast<std::size_t>(b)], strides[static_cast<std::size_t>(c)]},
-                    grid_.periodic && stencil.axis != 2};
-    if (path.periodic && kept_[i].empty())
-      kept_[i].assign(static_cast<std::size_t>(path.counts[0]) * static_cast<std::size_t>(path.counts[1]), around[i]);
-    follow(path, kept_[i], arrived);
+    Path path = path_of(ordinates_[i]);
+    path.around = around[i], path.source = source;
+    const std::size_t crosses = path.periodic ? path.points() : 0;
+    follow(path, crossing.first(crosses), arrived);
+    crossing = crossing.subspan(crosses);
   }
   return arrived;
 }

@@ -1,14 +1,12 @@
 // One iteration of the discrete ordinates: what all points scatter goes along every direction through the grid.
 #pragma once
-#include <stop_token>
+#include <span>
 
 #include "bake/in_scatter.h"
 #include "bake/ordinates.h"
 
 namespace cloudscape::bake {
 
-// Red, green, blue and nothing, in a register of four (GCC's and Clang's vector extension).
-using Colours = float __attribute__((vector_size(16)));
 inline Colours colours(const glm::vec3& rgb) { return Colours{rgb.x, rgb.y, rgb.z, 0}; }
 inline Colours all_of(float value) { return Colours{value, value, value, value}; }
 
@@ -25,8 +23,10 @@ class Sweeper {
     Colours down{}, up{};     // flux through the lowest and through the highest layer, means over the layer
   };
   // `source`: radiance that a point's medium gives where it is opaque. `around`: radiance that comes from outside, by
-  // direction. Light that leaves the grid at a side and comes in at the other is that of the call before.
-  Arrived sweep(const std::vector<Moments>& source, const std::vector<Colours>& around);
+  // direction. `crossing`, of `crossing_count`: light that comes in at a side because it left at the other; replaced by
+  // what leaves now.
+  Arrived sweep(std::span<const Moments> source, const std::vector<Colours>& around, std::span<Colours> crossing);
+  std::size_t crossing_count() const;
   const std::vector<Ordinate>& directions() const { return ordinates_; }
 
  private:
@@ -35,13 +35,13 @@ class Sweeper {
     std::vector<float> extinction;
   };
   struct Path;
-  void follow(const Path& path, std::vector<Colours>& kept, Arrived& arrived);
+  Path path_of(const Ordinate& ordinate) const;
+  void follow(const Path& path, std::span<Colours> crossing, Arrived& arrived);
   void load(Plane& plane, const Path& path, int layer) const;
   void cross(const Path& path, int layer, Arrived& arrived);
 
   const InScatterGrid& grid_;
   std::vector<Ordinate> ordinates_;
-  std::vector<std::vector<Colours>> kept_;  // radiance that left at the side, by direction
   Plane now_, before_;
 };
 

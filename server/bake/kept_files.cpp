@@ -20,7 +20,10 @@ namespace fs = std::filesystem;
 constexpr const char* unfinished_suffix = ".tmp";  // and the number of the process that writes
 
 // Whether a file of the folder is one of ours.
-bool is_kept(const fs::path& path) { return path.extension() == ".bake" || path.extension() == ".phase"; }
+bool is_kept(const fs::path& path) {
+  const fs::path extension = path.extension();
+  return extension == ".bake" || extension == ".phase" || extension == ".light";
+}
 
 std::string read_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);

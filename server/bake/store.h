@@ -35,6 +35,7 @@ class BakeStore {
   BakedTexels texels(const BakeRecipe& recipe);
   std::size_t bytes() const;
   PhaseTables& phases() { return phases_; }  // kept in the same folder
+  const KeptFiles& files() const { return cache_.files(); }
 
  private:
   struct Entry {

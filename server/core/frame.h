@@ -36,6 +36,7 @@ struct FrameRequest {
   StreamId stream = 0;
   std::uint64_t sequence = 0;  // of the frame in its stream
   int first_sample = 0;        // 0 starts anew; n continues the average that the stream's frames before have built
+  bool light_may_lag = false;  // a moving picture may show the clouds in the light of a moment ago
   Tracing tracing;             // where the quality's technique is path tracing
 };
 

@@ -121,6 +121,14 @@ double light_length_m(const Volume& volume, const March& march) {
   return march.light_length_m.value_or(volume.grid.tiling ? 20 * volume.size_m.z : 1e7);
 }
 
+// tuned: as far as the grid of the in-scatter volume is too coarse for the shadows on a cloud's surface; beyond it, it is
+// better than a few samples.
+double near_light_m(const Cloudscape& sky, const March& march) {
+  const double point_m = std::max(sky.volume.size_m.x, sky.volume.size_m.y) / sky.medium.light_model.volume_resolution;
+  const bool from_formula = sky.volume.kind != VolumeKind::noise && !is_from_file(sky.volume.kind);
+  return from_formula ? 1e7 : std::min(light_length_m(sky.volume, march), 6 * point_m);
+}
+
 // A grid may be smaller than the quality's steps, and far away: half of the steps take a ray through it from corner to
 // corner, unless they would be shorter than half a voxel.
 double longest_step_m(const Volume& volume, const March& march, int max_steps, const bake::BakedCloudscape& baked) {
@@ -144,6 +152,7 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
   block.adaptive = {march.adaptive_start_m, march.adaptive_step ? march.adaptive_growth : 0.0, march.random_first_step,
                     march.lighting};
   const glm::dvec2 altitudes_m = textured ? cloud_altitudes_m(sky, baked) : glm::dvec2(0);
+  block.volume.w = static_cast<float>(near_light_m(sky, march));
   block.march = {light_length_m(sky.volume, march), endless ? march.max_distance_m : 1e8, altitudes_m.x, altitudes_m.y};
   const double large_m = textured ? large_step_m(march, longest_large_step_m(sky, baked)) : 0.0;
   const double period_m = 4 * sky.shape.coverage_variation.wavelength_m;

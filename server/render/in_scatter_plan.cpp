@@ -11,10 +11,10 @@ namespace {
 // tuned: points upwards for each one across, by distance; light changes faster upwards. More take longer to solve.
 constexpr double points_upwards = 1.5;
 constexpr int fewest_layers = 8, most_layers = 64;
-constexpr int varied_levels = 4;  // tuned: neighbours differ by a sixth of the swing, which the eye does not find
+constexpr int varied_levels = 3;  // tuned: light at the thresholds between is a mixture; more take longer to solve
 // tuned against the path-traced reference: how much of the difference between the fine optical depth and the grid's is
 // seen in the light of the other orders.
-constexpr double fine_shade = 0.25;
+constexpr double fine_shade = 0.12;
 
 bool repeats(const Cloudscape& sky) {
   const VolumeKind kind = sky.volume.kind;

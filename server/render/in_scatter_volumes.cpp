@@ -14,6 +14,8 @@ using gpu::Filter, gpu::Format, gpu::Texture, gpu::Wrap;
 
 // tuned: what the streams of a server look at together; a volume takes some megabytes.
 constexpr std::size_t most_clouds = 4, most_volumes = 8;
+// tuned: a viewer asks for its frame many times a second. Who has not asked for so long has gone, or moved the sun on.
+constexpr auto forgotten_after = std::chrono::seconds(2);
 constexpr auto longest_wait = std::chrono::milliseconds(5);
 
 std::vector<glm::vec4> texels_of(const Texture& texture) {
@@ -34,7 +36,9 @@ std::string clouds_key(const InScatterVolumes::Wanted& wanted) {
   sky.title = sky.description = "";
   sky.sun = {}, sky.moon = {}, sky.sky = {}, sky.ground = {}, sky.wind = {}, sky.view = {};
   sky.medium.ambient = 1;
-  return content_hash(sky) + bake::bake_key(wanted.baked.texels().recipe) + std::to_string(wanted.mean_cosine);
+  constexpr const char* version = "1";  // of the solver and the grid: raise it when they change what they make
+  return version + content_hash(sky) + bake::bake_key(wanted.baked.texels().recipe) +
+         std::to_string(wanted.mean_cosine);
 }
 
 // From the middle of the cloud's altitudes: the sun along them, and what is around (shaders/render/sky_cloud_sun.glsl,
@@ -61,8 +65,6 @@ bake::InScatterLight light_of(const InScatterVolumes::Wanted& wanted, const InSc
   return light;
 }
 
-float luminance(const glm::vec4& c) { return glm::dot(glm::vec3(c), glm::vec3(0.2126F, 0.7152F, 0.0722F)); }
-
 Texture volume_texture(const glm::ivec3& size, bool periodic, const std::vector<glm::vec4>& texels, const char* label) {
   Texture texture(Format::rgba32f, size.x, size.y, size.z, label);
   const Wrap across = periodic ? Wrap::repeat : Wrap::clamp;
@@ -71,28 +73,28 @@ Texture volume_texture(const glm::ivec3& size, bool periodic, const std::vector<
   return texture;
 }
 
-std::shared_ptr<const InScatterVolume> uploaded(const InScatterPlan& plan,
-                                                const std::vector<bake::InScatterSolution>& levels) {
-  std::vector<glm::vec4> mean, directed;
-  for (const bake::InScatterSolution& level : levels) {
-    mean.insert(mean.end(), level.mean.begin(), level.mean.end());
-    for (std::size_t i = 0; i < level.mean.size(); ++i) {
-      const float scale = 1 / std::max(1e-20F, luminance(level.mean[i]));
-      directed.emplace_back(scale * luminance(level.directed[0][i]), scale * luminance(level.directed[1][i]),
-                            scale * luminance(level.directed[2][i]), 0);
-    }
+std::size_t texels_of(const InScatterPlan& plan) {
+  return static_cast<std::size_t>(plan.size.x) * static_cast<std::size_t>(plan.size.y) *
+         static_cast<std::size_t>(plan.size.z) * plan.thresholds.size();
+}
+
+std::optional<bake::LightTexels> solve(const std::vector<bake::InScatterProblem>& levels, const std::stop_token& stop) {
+  std::vector<bake::InScatterSolution> solutions;
+  for (const bake::InScatterProblem& level : levels) {
+    auto solution = bake::solve_in_scatter(level, {}, stop);
+    if (!solution) return std::nullopt;
+    solutions.push_back(std::move(*solution));
   }
-  const glm::ivec3 size(plan.size.x, plan.size.y, plan.size.z * static_cast<int>(levels.size()));
-  auto volume = std::make_shared<InScatterVolume>();
-  volume->mean = volume_texture(size, plan.periodic, mean, "in-scatter volume");
-  volume->directed = volume_texture(size, plan.periodic, directed, "in-scatter volume's directions");
-  return volume;
+  return bake::light_texels(solutions);
 }
 
 }  // namespace
 
-InScatterVolumes::InScatterVolumes(gpu::ShaderLibrary& shaders)
-    : extinction_(shaders, "render/in_scatter_extinction.comp"), cloud_("cloud"), block_("in-scatter grid") {}
+InScatterVolumes::InScatterVolumes(gpu::ShaderLibrary& shaders, bake::LightCache cache)
+    : extinction_(shaders, "render/in_scatter_extinction.comp"),
+      cloud_("cloud"),
+      block_("in-scatter grid"),
+      cache_(std::move(cache)) {}
 
 InScatterVolumes::~InScatterVolumes() {
   for (Job& job : jobs_) job.stop.request_stop();
@@ -140,54 +142,84 @@ std::shared_ptr<InScatterVolumes::Clouds> InScatterVolumes::clouds_of(const Want
   return clouds;
 }
 
-void InScatterVolumes::start(const std::string& key, const std::shared_ptr<Clouds>& clouds, const Wanted& wanted,
-                             const bake::InScatterLight& light) {
-  std::vector<bake::InScatterProblem> problems;
+InScatterVolumes::Job& InScatterVolumes::job_of(const std::string& key, const std::shared_ptr<Clouds>& clouds,
+                                                const Wanted& wanted, const bake::InScatterLight& light) {
+  const auto found = std::find_if(jobs_.begin(), jobs_.end(), [&](const Job& each) { return each.key == key; });
+  if (found != jobs_.end()) return *found;
+  std::vector<bake::InScatterProblem> levels;
   for (const bake::InScatterGrid& grid : clouds->grids)
-    problems.push_back({grid, bake::scatter_moments(wanted.mean_cosine),
-                        wanted.request.cloudscape->medium.single_scattering_albedo, light});
-  Job job{key, {}, {}, clouds};
+    levels.push_back({grid, bake::scatter_moments(wanted.mean_cosine),
+                      wanted.request.cloudscape->medium.single_scattering_albedo, light});
+  Job& job = jobs_.emplace_back(Job{key, clouds, {}, {}, Clock::now()});
   job.result = std::async(std::launch::async,
-                          [problems = std::move(problems), begin = clouds->latest,
-                           token = job.stop.get_token()]() -> std::optional<Solutions> {
-                            Solutions solutions;
-                            for (std::size_t i = 0; i < problems.size(); ++i) {
-                              auto solution =
-                                  bake::solve_in_scatter(problems[i], {}, begin ? &(*begin)[i] : nullptr, token);
-                              if (!solution) return std::nullopt;
-                              solutions.push_back(std::move(*solution));
-                            }
-                            return solutions;
-                          });
-  jobs_.push_back(std::move(job));
+                          [levels = std::move(levels), stop = job.stop.get_token()] { return solve(levels, stop); });
+  return job;
+}
+
+std::shared_ptr<const InScatterVolume> InScatterVolumes::kept(const std::string& key) {
+  const auto found = std::find_if(volumes_.begin(), volumes_.end(), [&](const Kept& each) { return each.key == key; });
+  if (found == volumes_.end()) return nullptr;
+  volumes_.splice(volumes_.begin(), volumes_, found);
+  return volumes_.front().volume;
+}
+
+std::shared_ptr<const InScatterVolume> InScatterVolumes::keep(const std::string& key, Clouds& clouds,
+                                                              const bake::LightTexels& light) {
+  const InScatterPlan& plan = clouds.plan;
+  const glm::ivec3 size(plan.size.x, plan.size.y, plan.size.z * static_cast<int>(plan.thresholds.size()));
+  auto volume = std::make_shared<InScatterVolume>();
+  volume->mean = volume_texture(size, plan.periodic, light.mean, "in-scatter volume");
+  volume->directed = volume_texture(size, plan.periodic, light.directed, "in-scatter volume's directions");
+  volumes_.push_front({key, volume});
+  if (volumes_.size() > most_volumes) volumes_.pop_back();
+  return clouds.newest = volume;
+}
+
+void InScatterVolumes::take_results() {
+  for (auto job = jobs_.begin(); job != jobs_.end();) {
+    if (job->result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+      ++job;
+      continue;
+    }
+    if (const std::optional<bake::LightTexels> light = job->result.get()) {
+      ++solved_;
+      keep(job->key, *job->clouds, *light);
+      cache_.store(job->key, *light);
+    }
+    job = jobs_.erase(job);
+  }
+}
+
+void InScatterVolumes::drop_the_forgotten() {
+  jobs_.remove_if([now = Clock::now()](Job& job) {
+    if (now - job.asked < forgotten_after) return false;
+    job.stop.request_stop();  // its end is waited for: an iteration
+    return true;
+  });
 }
 
 std::shared_ptr<const InScatterVolume> InScatterVolumes::find(const Wanted& wanted) {
+  take_results();
   const std::shared_ptr<Clouds> clouds = clouds_of(wanted);
   const bake::InScatterLight light = light_of(wanted, clouds->plan);
-  const std::string key = clouds->key + bytes_of(std::span(&light.sun_direction, 1)) +
-                          bytes_of(std::span<const glm::vec3>(light.sun_irradiance)) +
-                          bytes_of(std::span<const glm::vec3>(light.surroundings));
-  const auto found =
-      std::find_if(volumes_.begin(), volumes_.end(), [&](const auto& each) { return each.first == key; });
-  if (found != volumes_.end()) {
-    volumes_.splice(volumes_.begin(), volumes_, found);
-    return volumes_.front().second;
-  }
-  auto job = std::find_if(jobs_.begin(), jobs_.end(), [&](const Job& each) { return each.key == key; });
-  if (job == jobs_.end()) {
-    start(key, clouds, wanted, light);
-    job = std::prev(jobs_.end());
-  }
-  if (job->result.wait_for(longest_wait) != std::future_status::ready) return nullptr;
-  std::optional<Solutions> solutions = job->result.get();
-  jobs_.erase(job);
-  if (!solutions) return nullptr;
-  clouds->latest = std::make_shared<const Solutions>(std::move(*solutions));
-  volumes_.emplace_front(key, uploaded(clouds->plan, *clouds->latest));
-  if (volumes_.size() > most_volumes) volumes_.pop_back();
-  ++solved_;
-  return volumes_.front().second;
+  const std::string key = sha256_hex(clouds->key + bytes_of(std::span(&light.sun_direction, 1)) +
+                                     bytes_of(std::span<const glm::vec3>(light.sun_irradiance)) +
+                                     bytes_of(std::span<const glm::vec3>(light.surroundings)));
+  if (auto volume = kept(key)) return clouds->newest = volume;
+  // Light that may lag is solved one sun after the other, each to its end.
+  if (wanted.request.light_may_lag && clouds->newest)
+    for (Job& job : jobs_)
+      if (job.clouds == clouds) {
+        job.asked = Clock::now();
+        return clouds->newest;
+      }
+  drop_the_forgotten();
+  if (const auto light_on_disk = cache_.load(key, texels_of(clouds->plan))) return keep(key, *clouds, *light_on_disk);
+  Job& job = job_of(key, clouds, wanted, light);
+  job.asked = Clock::now();
+  if (wanted.request.light_may_lag && clouds->newest) return clouds->newest;
+  if (job.result.wait_for(longest_wait) == std::future_status::ready) take_results();
+  return kept(key);
 }
 
 void InScatterVolumes::reload(gpu::ShaderLibrary& shaders) {

@@ -47,7 +47,7 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
       structures_(shaders),
       passes_(context, shaders),
       sky_(context, shaders),
-      in_scatter_(shaders),
+      in_scatter_(shaders, bake::LightCache(bakes.files())),
       terrain_(context, shaders, std::move(height_maps)),
       tracer_(context, shaders),
       frame_block_("frame"),

@@ -104,6 +104,7 @@ Work ViewerStream::next_frame(const RenderQuality& quality, const Encoding& enco
                   id_,
                   sequence_,
                   0,
+                  false,
                   {}};
   work.encoding = encoding;
   work.frame_id = next_frame_id_;
@@ -122,6 +123,7 @@ Work ViewerStream::moving_frame() {
   quality.samples = 1;
   Work work = next_frame(quality, {ImageFormat::jpeg, jpeg_.quality(), ChromaSubsampling::half});
   work.quality_stage = moving_stage;
+  work.request.light_may_lag = true;
   work.queued = moved_since_;
   return work;
 }

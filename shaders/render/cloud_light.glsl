@@ -20,13 +20,13 @@ float light_distance_m(float begin_m, float end_m, float i, float jitter) {
   return mix(begin_m, end_m, share);
 }
 
-// Optical depth from p towards the sun. Steps grow with the square of their number: near occluders matter most. `jitter` (0..1)
+// Optical depth from p towards the sun, as far as `length_m`. Steps grow with the square of their number: near occluders matter most. `jitter` (0..1)
 // places the samples in their steps: what few samples miss becomes noise, which averages out, and not contours. `land` is that of
 // p: it hardly changes over the way to the sun.
-float sun_optical_depth(vec3 p, Land land, float jitter) {
+float sun_optical_depth(vec3 p, Land land, float length_m, float jitter) {
   vec3 sun = frame.light_direction.xyz;
   Stretch path = medium_stretch(p, sun);
-  float end_m = min(path.end, cloud.march.x);
+  float end_m = min(path.end, length_m);
   if (end_m <= path.begin) return 0.0;
   if (!is_textured() && volume_kind() != volume_gaussian)
     return cloud.medium.x * (path.end - path.begin);
@@ -128,12 +128,17 @@ vec3 ambient(RayLight light, float h) {
 // All light scattered towards the camera at p, where the sun's irradiance is `sun`: the first order by the phase function; light that
 // was scattered but little, and so is still about the sun, by a broader one; and all else from the grid, shaded by how much deeper in
 // the cloud the point lies than the grid knows.
-vec3 light_from_volume(RayLight light, vec3 place, vec3 direction, vec3 sun, float optical_depth) {
-  vec4 others = in_scattered(place, direction);
+vec3 light_from_volume(RayLight light, vec3 p, vec3 direction, Land land, vec3 sun, float jitter) {
+  vec4 others = in_scattered(in_scatter_place(p, land), direction);
+  float near_m = cloud.volume.w;
+  float optical_depth = sun_optical_depth(p, land, near_m, jitter);
+  // What stands farther away than the light is marched.
+  if (medium_stretch(p, frame.light_direction.xyz).end > near_m)
+    optical_depth += far_optical_depth(in_scatter_place(p + near_m * frame.light_direction.xyz, land));
   float forward = cloud.in_scatter_levels.z;
   float beam = exp(-optical_depth);
   float spread_beam = exp(-optical_depth * (1.0 - forward));
-  float deeper = optical_depth * (1.0 - forward) + log(max(others.w, 1.0e-4));
+  float deeper = min(optical_depth * (1.0 - forward), 9.2) + log(max(others.w, 1.0e-4));
   float shade = exp(-cloud.in_scatter_levels.w * clamp(deeper, -3.0, 3.0));
   return sun * (light.phase * beam + vec3(light.octaves_low.y * (spread_beam - beam))) + others.xyz * shade;
 }
@@ -143,12 +148,11 @@ vec3 source_radiance(RayLight light, vec3 p, vec3 direction, Land land, float ji
   float h = clamp(height_in_layer(p), 0.0, 1.0);
   vec3 sun = sun_at(p, h);
   if (lighting() && int(cloud.phase.w) == light_in_scatter_volume) {
-    float optical_depth = sun_optical_depth(p, land, jitter);
-    return cloud.medium.y * light_from_volume(light, in_scatter_place(p, land, jitter), direction, sun, optical_depth);
+    return cloud.medium.y * light_from_volume(light, p, direction, land, sun, jitter);
   }
   // tuned: without lighting all of the cloud is as bright as a white diffuse surface that the sun strikes at 60 degrees.
   vec3 scatter = vec3(0.5 / pi);
-  if (lighting()) scatter = sun_scatter(light, sun_optical_depth(p, land, jitter));
+  if (lighting()) scatter = sun_scatter(light, sun_optical_depth(p, land, cloud.march.x, jitter));
   if (int(cloud.phase.w) == light_olajos)
     return cloud.medium.y * sun * (cloud.olajos_dark.xyz / pi + cloud.olajos_bright.xyz * scatter);
   return cloud.medium.y * (sun * scatter + ambient(light, h));

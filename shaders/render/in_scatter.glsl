@@ -6,24 +6,46 @@
 layout(binding = 11) uniform sampler3D in_scatter_mean;      // mean radiance; share of the sun's beam that arrives
 layout(binding = 12) uniform sampler3D in_scatter_directed;  // mean of radiance times direction, in mean radiances
 
-// Where p lies in the volume's textures. `jitter` (0..1) chooses between the two levels whose thresholds lie about that of p.
-vec3 in_scatter_place(vec3 p, Land land, float jitter) {
+// Where p lies in the volume's textures at its lower level; how far on the next one is, and its share.
+struct InScatterPlace {
+  vec3 at;
+  float next, share;
+};
+
+InScatterPlace in_scatter_place(vec3 p, Land land) {
   vec3 place = (p - cloud.box_low.xyz) / (cloud.box_high.xyz - cloud.box_low.xyz);
   if (is_textured()) place = vec3(p.xy * cloud.tile.xy + cloud.tile.zw + land.shift, height_in_layer(p));
   vec3 at = place * cloud.in_scatter_scale.xyz + cloud.in_scatter_offset.xyz;
   float levels = cloud.in_scatter_scale.w;
-  float level = (land.threshold - cloud.in_scatter_levels.x) * cloud.in_scatter_levels.y;
-  level = is_textured() ? clamp(floor(level + jitter), 0.0, levels - 1.0) : 0.0;
+  float level = clamp((land.threshold - cloud.in_scatter_levels.x) * cloud.in_scatter_levels.y, 0.0, levels - 1.0);
+  float lower = min(floor(level), max(levels - 2.0, 0.0));
   float half_texel = 0.5 * levels / float(textureSize(in_scatter_mean, 0).z);
-  return vec3(at.xy, (level + clamp(at.z, half_texel, 1.0 - half_texel)) / levels);
+  return InScatterPlace(vec3(at.xy, (lower + clamp(at.z, half_texel, 1.0 - half_texel)) / levels), 1.0 / levels, level - lower);
 }
+
+// Of a volume's texture, between the levels about the place.
+vec4 between_levels(sampler3D volume, InScatterPlace place) {
+  int count = cloud.in_scatter_scale.w > 1.0 ? 2 : 1;  // a loop, which software goes through as often as it must
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < count; ++i) {
+    float share = i == 0 ? 1.0 - place.share : place.share;
+    sum += share * textureLod(volume, place.at + vec3(0.0, 0.0, float(i) * place.next), 0.0);
+  }
+  return sum;
+}
+
+// Optical depth towards the sun where this share of its beam arrives, which is without what is scattered into the forward peak.
+float optical_depth_of(float beam) {
+  return -log(max(beam, 1.0e-4)) / (1.0 - cloud.in_scatter_levels.z * cloud.medium.y / cloud.medium.x);
+}
+float far_optical_depth(InScatterPlace place) { return optical_depth_of(between_levels(in_scatter_mean, place).w); }
 
 // Radiance scattered along `direction` by a medium that scatters all it takes, and the share of the sun's beam that arrives on the
 // grid. The light comes from all directions by a function with the moments that were solved, of Henyey and Greenstein's kind, which
 // is nowhere negative; scattering turns its mean cosine by that of the phase function.
-vec4 in_scattered(vec3 place, vec3 direction) {
-  vec4 mean = textureLod(in_scatter_mean, place, 0.0);
-  vec3 directed = textureLod(in_scatter_directed, place, 0.0).xyz;
+vec4 in_scattered(InScatterPlace place, vec3 direction) {
+  vec4 mean = between_levels(in_scatter_mean, place);
+  vec3 directed = between_levels(in_scatter_directed, place).xyz;
   float size = length(directed);
   float cosine = dot(directed, direction) / max(size, 1.0e-6);
   float lobe = phase_henyey_greenstein(cosine, cloud.in_scatter_offset.w * min(size, 0.98)) / phase_isotropic;
