@@ -26,7 +26,7 @@ small { display: block; color: #444 }
 )";
 
 [[gnu::format(printf, 1, 2)]] std::string print(const char* format, ...) {
-  char text[600];
+  char text[1000];
   std::va_list arguments;
   va_start(arguments, format);
   std::vsnprintf(text, sizeof text, format, arguments);
@@ -36,7 +36,8 @@ small { display: block; color: #444 }
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+  for (const char c : text)
+    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
   return result;
 }
 
