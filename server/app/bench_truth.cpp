@@ -63,7 +63,9 @@ bench::TruthRun run_of(const TruthOptions& options) {
   run.quality = quality_of(options.quality);
   run.model_samples = options.model_samples ? options.model_samples : render_quality(run.quality).samples;
   run.cost_frames = options.cost_frames;
-  run.references = bench::KeptReferences(references_folder(options));
+  const fs::path references = references_folder(options);
+  make_folder(references, "--references");
+  run.references = bench::KeptReferences(references);
   run.pictures = options.output;
   run.tell = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   return run;

@@ -1,7 +1,6 @@
 #include "bench/truth_reference.h"
 
 #include "core/content_hash.h"
-#include "core/error.h"
 #include "core/version.h"
 #include "encode/encode.h"
 #include "encode/exr_reader.h"
@@ -75,11 +74,7 @@ std::optional<Frame> KeptReferences::load(const FrameRequest& reference) const {
 }
 
 void KeptReferences::store(const Frame& frame) const {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error)
-    throw InvalidInput("--references", "needs the folder '" + folder_.string() + "', which cannot be made (" +
-                                           error.message() + "): choose another place");
+  std::filesystem::create_directories(folder_);
   Encoding encoding;
   encoding.format = ImageFormat::exr;
   encoding.exr_type = ExrType::float32;
