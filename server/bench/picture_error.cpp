@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <random>
 
 #include "bench/frame_times.h"
 #include "bench/track_times.h"
@@ -35,6 +36,17 @@ double relative_noise(const Frame& traced, const Mask& counted) {
     if (counted[i] && total(picture.rgb[i]) > 0)
       errors.push_back(total({error[3 * i], error[3 * i + 1], error[3 * i + 2]}) / total(picture.rgb[i]));
   return mean_of(errors);
+}
+
+Picture noisier(const Frame& traced) {
+  Picture picture = radiance_picture(traced);
+  const std::vector<float>& error = traced.standard_error_rgb;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 0; i < picture.rgb.size() && 3 * i + 2 < error.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      picture.rgb[i][c] = std::max(0.0, picture.rgb[i][c] + error[3 * i + c] * normal(random));
+  return picture;
 }
 
 double psnr_db(const Picture& reference, const Picture& test) {

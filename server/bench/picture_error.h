@@ -19,6 +19,10 @@ RadianceError radiance_error(const Picture& reference, const Picture& test, cons
 // it is what the mean relative radiance error of a perfect picture would be.
 double relative_noise(const Frame& traced, const Mask& counted);
 
+// What a perfect model might be measured against: the picture with normal noise of its own standard errors on it, once
+// more. Always the same.
+Picture noisier(const Frame& traced);
+
 // Peak signal to noise ratio of display values, dB; 100 where not even rounding differs.
 double psnr_db(const Picture& reference, const Picture& test);
 

@@ -52,13 +52,16 @@ std::string target_cells(const ModelSummary& model) {
   return cells;
 }
 
+std::string cost_cells(const std::optional<TruthCost>& cost) {
+  return cost ? print("<td>%.1f</td><td>%.1f</td><td>%.1f</td>", cost->cpu_ms, cost->wall_ms, cost->sun_change_cpu_ms)
+              : "<td></td><td></td><td></td>";
+}
+
 std::string summary_row(const ModelSummary& model, bool is_default) {
-  const TruthCost cost = model.cost.value_or(TruthCost{});
   return print("<tr><td>%s%s</td>", model.model.c_str(), is_default ? " (default)" : "") + target_cells(model) +
-         print(
-             "<td>%.1f %%</td><td>%.4f</td><td>%.1f</td><td>%.1f %%</td><td>%.1f</td><td>%.1f</td><td>%.1f</td></tr>\n",
-             100 * model.relative_error_p95, model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error,
-             cost.cpu_ms, cost.wall_ms, cost.sun_change_cpu_ms);
+         print("<td>%.1f %%</td><td>%.4f</td><td>%.1f</td><td>%.1f %%</td>", 100 * model.relative_error_p95,
+               model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error) +
+         cost_cells(model.cost) + "</tr>\n";
 }
 
 std::string summary(const TruthResults& results) {
@@ -70,25 +73,29 @@ std::string summary(const TruthResults& results) {
       "<th>CPU ms a frame</th><th>wall ms a frame</th><th>CPU ms a sun change</th></tr>\n";
   for (const ModelSummary& model : summaries_of(results))
     text += summary_row(model, model.model == results.default_model);
-  return text + "</table>\n";
+  return text + summary_row(noise_floor_of(results), false) + "</table>\n";
+}
+
+std::string figures_of(const ModelResult& model) {
+  return print(
+      "<small>error %.1f %% (p95 %.1f %%), ln ratio %.3f</small>"
+      "<small>LDR-FLIP %.4f, HDR-FLIP %.4f, PSNR %.1f dB</small>"
+      "<small>whole picture: error %.1f %%, ln ratio %.3f</small>",
+      100 * model.clouds.mean, 100 * model.clouds.p95, model.clouds.log_ratio, model.ldr_flip, model.hdr_flip,
+      model.psnr_db, 100 * model.whole.mean, model.whole.log_ratio);
 }
 
 std::string reference_cell(const ViewResult& view) {
   return "<td>" + image(picture_file(view.name, "reference"), view.name + ", reference") +
-         print("<small>path-traced; clouds on %.0f %% of the picture, noise there %.1f %%</small></td>\n",
-               100 * view.cloud_share, 100 * view.reference_noise);
+         image(flip_map_file(view.name, view.noise_floor.model), "LDR-FLIP of noise") +
+         print("<small>path-traced; clouds on %.0f %% of the picture, noise there %.1f %%. Noise alone:</small>",
+               100 * view.cloud_share, 100 * view.reference_noise) +
+         figures_of(view.noise_floor) + "</td>\n";
 }
 
 std::string model_cell(const ViewResult& view, const ModelResult& model) {
   return "<td>" + image(picture_file(view.name, model.model), view.name + ", " + model.model) +
-         image(flip_map_file(view.name, model.model), "LDR-FLIP") +
-         print(
-             "<small>error %.1f %% (p95 %.1f %%), ln ratio %.3f</small>"
-             "<small>LDR-FLIP %.4f, HDR-FLIP %.4f, PSNR %.1f dB</small>"
-             "<small>whole picture: error %.1f %%, ln ratio %.3f</small>",
-             100 * model.clouds.mean, 100 * model.clouds.p95, model.clouds.log_ratio, model.ldr_flip, model.hdr_flip,
-             model.psnr_db, 100 * model.whole.mean, model.whole.log_ratio) +
-         "</td>\n";
+         image(flip_map_file(view.name, model.model), "LDR-FLIP") + figures_of(model) + "</td>\n";
 }
 
 std::string view_row(const ViewResult& view) {

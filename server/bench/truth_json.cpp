@@ -35,6 +35,7 @@ Json json_of(const ViewResult& view) {
           {"title", view.title},
           {"cloud_share", view.cloud_share},
           {"reference_noise", view.reference_noise},
+          {"noise_floor", json_of(view.noise_floor)},
           {"models", std::move(models)}};
 }
 
@@ -88,6 +89,7 @@ std::string truth_json(const TruthResults& results, const Machine& machine) {
                       {"cost_frames", results.cost_frames},
                       {"default_model", results.default_model},
                       {"summary", list_of(summaries_of(results))},
+                      {"noise_floor", json_of(noise_floor_of(results))},
                       {"views", list_of(results.views)}};
   return document.dump(2) + "\n";
 }

@@ -61,6 +61,13 @@ std::vector<ModelSummary> summaries_of(const TruthResults& results) {
   return summaries;
 }
 
+ModelSummary noise_floor_of(const TruthResults& results) {
+  Sum sum;
+  for (const ViewResult& view : results.views)
+    sum.summary.model = view.noise_floor.model, sum.add(view.noise_floor, view.name);
+  return results.views.empty() ? ModelSummary{} : sum.mean();
+}
+
 const std::vector<TruthTarget>& truth_targets() {
   static const std::vector<TruthTarget> targets{
       {"mean relative radiance error", 0.15, [](const ModelSummary& model) { return model.relative_error; }},

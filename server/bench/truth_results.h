@@ -27,6 +27,8 @@ struct ViewResult {
   std::string name, title, description;
   double cloud_share = 0;      // of the pixels
   double reference_noise = 0;  // relative_noise over the clouds
+  // The reference with its own noise on it once more: about what a perfect model would show. No cost.
+  ModelResult noise_floor;
   std::vector<ModelResult> models;
 };
 
@@ -52,6 +54,7 @@ struct ModelSummary {
   std::optional<TruthCost> cost;  // means
 };
 std::vector<ModelSummary> summaries_of(const TruthResults& results);
+ModelSummary noise_floor_of(const TruthResults& results);
 
 // What the default model must reach.
 struct TruthTarget {

@@ -53,20 +53,27 @@ void write_pictures(const TruthRun& run, const std::string& view, const std::str
   if (!errors.empty()) write_picture(run.pictures / flip_map_file(view, column), flip_map(errors, run.size_px));
 }
 
-ModelResult compare(const TruthRun& run, const TruthView& view, const TruthModel& model, const Reference& reference) {
-  run.tell(view.name + ": " + model.name);
-  const FrameRequest request = model_request(run, view, model);
-  const Picture radiance = radiance_picture(run.render(request));
+// A picture and its figures, without its cost.
+ModelResult compare(const TruthRun& run, const TruthView& view, const std::string& name, const Picture& radiance,
+                    const Reference& reference) {
   const Picture display = display_picture(radiance, view.request.display);
   const std::vector<double> errors = ldr_flip(reference.display, display);
   ModelResult result;
-  result.model = model.name;
+  result.model = name;
   result.clouds = radiance_error(reference.radiance, radiance, reference.clouds);
   result.whole = radiance_error(reference.radiance, radiance, Mask(radiance.rgb.size(), true));
   result.ldr_flip = mean_of(errors);
   result.hdr_flip = mean_of(hdr_flip(reference.radiance, radiance));
   result.psnr_db = psnr_db(reference.display, display);
-  write_pictures(run, view.name, model.name, display, errors);
+  write_pictures(run, view.name, name, display, errors);
+  return result;
+}
+
+ModelResult compare_model(const TruthRun& run, const TruthView& view, const TruthModel& model,
+                          const Reference& reference) {
+  run.tell(view.name + ": " + model.name);
+  const FrameRequest request = model_request(run, view, model);
+  ModelResult result = compare(run, view, model.name, radiance_picture(run.render(request)), reference);
   if (run.cost_frames > 0) result.cost = truth_cost(run, request);
   return result;
 }
@@ -77,13 +84,12 @@ ViewResult compare_all(const TruthRun& run, const TruthView& view) {
   reference.display = display_picture(reference.radiance, view.request.display);
   write_pictures(run, view.name, "reference", reference.display, {});
   const auto clouds = static_cast<double>(std::count(reference.clouds.begin(), reference.clouds.end(), true));
-  ViewResult result{view.name,
-                    view.title,
-                    view.description,
-                    clouds / static_cast<double>(reference.clouds.size()),
-                    relative_noise(traced, reference.clouds),
-                    {}};
-  for (const TruthModel& model : run.models) result.models.push_back(compare(run, view, model, reference));
+  ViewResult result;
+  result.name = view.name, result.title = view.title, result.description = view.description;
+  result.cloud_share = clouds / static_cast<double>(reference.clouds.size());
+  result.reference_noise = relative_noise(traced, reference.clouds);
+  result.noise_floor = compare(run, view, "noise", noisier(traced), reference);
+  for (const TruthModel& model : run.models) result.models.push_back(compare_model(run, view, model, reference));
   return result;
 }
 

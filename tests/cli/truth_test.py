@@ -76,7 +76,7 @@ class Truth(Cli):
 
     def check_page(self, page):
         sources = Sources(page).found
-        self.assertEqual(len(sources), 5, "a reference, and a picture and a map of each model")
+        self.assertEqual(len(sources), 6, "a picture and a map of the reference and of each model")
         for source in sources:
             self.assertTrue((self.folder / "report" / source).read_bytes().startswith(MAGIC["png"]), source)
 

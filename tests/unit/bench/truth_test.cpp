@@ -148,6 +148,8 @@ TEST(TruthRun, ComparesEveryModelInEveryView) {
   const ViewResult& view = results.views.front();
   EXPECT_NEAR(view.cloud_share, 0.5, 1e-9);
   EXPECT_NEAR(view.reference_noise, 0.05, 1e-6);
+  EXPECT_NEAR(view.noise_floor.clouds.mean, 0.8 * 0.05, 0.008) << "sqrt(2 / pi), of a normal distribution";
+  EXPECT_GT(view.noise_floor.ldr_flip, 0);
   const ModelResult& single = view.models[0];
   EXPECT_EQ(single.ldr_flip, 0);
   EXPECT_EQ(single.hdr_flip, 0);
@@ -213,22 +215,21 @@ ModelResult model_result(const std::string& name, double error, double log_ratio
   return result;
 }
 
+ViewResult view_result(const std::string& name, const std::string& title, const std::string& description) {
+  ViewResult view;
+  view.name = name, view.title = title, view.description = description;
+  view.cloud_share = 0.5, view.reference_noise = 0.01;
+  view.noise_floor = model_result("noise", 0.008, 0, 0.001);
+  return view;
+}
+
 TruthResults two_views() {
   TruthResults results;
   results.size_px = {256, 144};
   results.default_model = "right";
-  results.views = {{"noon",
-                    "Noon",
-                    "High <sun>",
-                    0.5,
-                    0.01,
-                    {model_result("right", 0.1, -0.14, 0.05), model_result("wrong", 0.3, 0.1, 0.1)}},
-                   {"dusk",
-                    "Dusk",
-                    "Low sun",
-                    0.4,
-                    0.02,
-                    {model_result("right", 0.18, 0.1, 0.1), model_result("wrong", 0.1, -0.6, 0.2)}}};
+  results.views = {view_result("noon", "Noon", "High <sun>"), view_result("dusk", "Dusk", "Low sun")};
+  results.views[0].models = {model_result("right", 0.1, -0.14, 0.05), model_result("wrong", 0.3, 0.1, 0.1)};
+  results.views[1].models = {model_result("right", 0.18, 0.1, 0.1), model_result("wrong", 0.1, -0.6, 0.2)};
   return results;
 }
 
@@ -253,6 +254,8 @@ TEST(TruthSummary, HoldsModelsToTheTargets) {
     EXPECT_FALSE(target.met(summaries[1])) << target.name;
   }
   EXPECT_TRUE(summaries_of(TruthResults{}).empty());
+  EXPECT_EQ(noise_floor_of(TruthResults{}).model, "");
+  EXPECT_DOUBLE_EQ(noise_floor_of(two_views()).relative_error, 0.008);
 }
 
 TEST(TruthReport, TablesNameModelsViewsAndTargets) {
@@ -269,6 +272,7 @@ TEST(TruthReport, JsonHoldsEveryFigure) {
   EXPECT_EQ(model["model"], "wrong");
   EXPECT_EQ(model["clouds"]["log_ratio_of_means"], -0.6);
   EXPECT_EQ(model["ldr_flip"], 0.2);
+  EXPECT_EQ(json["views"][0]["noise_floor"]["ldr_flip"], 0.001);
   EXPECT_EQ(model["cost"]["frame_wall_ms"], 1);
   EXPECT_EQ(json["summary"][0]["worst"]["ldr_flip"]["view"], "dusk");
   EXPECT_EQ(json["summary"][1]["targets"][1]["met"], false);
@@ -276,7 +280,8 @@ TEST(TruthReport, JsonHoldsEveryFigure) {
 
 TEST(TruthReport, PageShowsEveryPictureAndEscapesText) {
   const std::string page = truth_html(two_views(), {"llvmpipe", "4.5", "fragment", 2});
-  for (const char* file : {"noon-reference.png", "dusk-wrong.png", "dusk-wrong-flip.png", "noon-right.png"})
+  for (const char* file :
+       {"noon-reference.png", "dusk-wrong.png", "dusk-wrong-flip.png", "noon-right.png", "dusk-noise-flip.png"})
     EXPECT_THAT(page, HasSubstr("src=\"" + std::string(file) + "\""));
   EXPECT_THAT(page, HasSubstr("High &lt;sun&gt;"));
   EXPECT_THAT(page, HasSubstr("right (default)"));
