@@ -8,7 +8,7 @@ namespace cloudscape::bench {
 namespace {
 
 [[gnu::format(printf, 1, 2)]] std::string print(const char* format, ...) {
-  char line[240];
+  char line[600];
   std::va_list arguments;
   va_start(arguments, format);
   std::vsnprintf(line, sizeof line, format, arguments);
