@@ -7,6 +7,16 @@
 
 namespace cloudscape::bench {
 
+Picture tiles_of(const Picture& picture, int side) {
+  const auto [width, height] = picture.size_px;
+  Picture tiles{{width / side, height / side}, {}};
+  tiles.rgb.resize(std::size_t(tiles.size_px.width) * tiles.size_px.height);
+  for (int y = 0; y < tiles.size_px.height * side; ++y)
+    for (int x = 0; x < tiles.size_px.width * side; ++x)
+      tiles.rgb[y / side * tiles.size_px.width + x / side] += picture.rgb[y * width + x] / double(side * side);
+  return tiles;
+}
+
 Picture radiance_picture(const Frame& frame) {
   Picture picture{frame.request.size_px, {}};
   const std::vector<float>& rgba = frame.radiance_rgba;

@@ -18,6 +18,9 @@ constexpr double luminance(const glm::dvec3& linear) {
   return 0.2126 * linear.x + 0.7152 * linear.y + 0.0722 * linear.z;
 }
 
+// Means of squares of `side` by `side` pixels, of as many as fit whole.
+Picture tiles_of(const Picture& picture, int side);
+
 Picture radiance_picture(const Frame& frame);  // of a frame with radiance
 // As the picture is displayed, rounded to 8 bits: exposed, through the tone curve; without dither and without bloom.
 Picture display_picture(const Picture& radiance, const Display& display);

@@ -59,8 +59,9 @@ std::string cost_cells(const std::optional<TruthCost>& cost) {
 
 std::string summary_row(const ModelSummary& model, bool is_default) {
   return print("<tr><td>%s%s</td>", model.model.c_str(), is_default ? " (default)" : "") + target_cells(model) +
-         print("<td>%.1f %%</td><td>%.4f</td><td>%.1f</td><td>%.1f %%</td>", 100 * model.relative_error_p95,
-               model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error) +
+         print("<td>%.1f %%</td><td>%.4f</td><td>%.1f</td><td>%.1f %%</td><td>%.1f %%</td>",
+               100 * model.relative_error_p95, model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error,
+               100 * model.tile_relative_error) +
          cost_cells(model.cost) + "</tr>\n";
 }
 
@@ -69,7 +70,8 @@ std::string summary(const TruthResults& results) {
   for (const TruthTarget& target : truth_targets())
     text += print("<th>%s<br>at most %.2f</th>", target.name, target.limit);
   text +=
-      "<th>error, p95</th><th>HDR-FLIP</th><th>PSNR, dB</th><th>error of the whole picture</th>"
+      "<th>error, p95</th><th>HDR-FLIP</th><th>PSNR, dB</th><th>error of the whole picture</th><th>error of 8x8 "
+      "tiles</th>"
       "<th>CPU ms a frame</th><th>wall ms a frame</th><th>CPU ms a sun change</th></tr>\n";
   for (const ModelSummary& model : summaries_of(results))
     text += summary_row(model, model.model == results.default_model);
@@ -80,9 +82,9 @@ std::string figures_of(const ModelResult& model) {
   return print(
       "<small>error %.1f %% (p95 %.1f %%), ln ratio %.3f</small>"
       "<small>LDR-FLIP %.4f, HDR-FLIP %.4f, PSNR %.1f dB</small>"
-      "<small>whole picture: error %.1f %%, ln ratio %.3f</small>",
+      "<small>whole picture: error %.1f %%, ln ratio %.3f; tiles: error %.1f %%</small>",
       100 * model.clouds.mean, 100 * model.clouds.p95, model.clouds.log_ratio, model.ldr_flip, model.hdr_flip,
-      model.psnr_db, 100 * model.whole.mean, model.whole.log_ratio);
+      model.psnr_db, 100 * model.whole.mean, model.whole.log_ratio, 100 * model.tiles.mean);
 }
 
 std::string reference_cell(const ViewResult& view) {

@@ -23,9 +23,9 @@ Json json_of(const std::optional<TruthCost>& cost) {
 }
 
 Json json_of(const ModelResult& model) {
-  return {{"model", model.model},       {"clouds", json_of(model.clouds)}, {"whole", json_of(model.whole)},
-          {"ldr_flip", model.ldr_flip}, {"hdr_flip", model.hdr_flip},      {"psnr_db", model.psnr_db},
-          {"cost", json_of(model.cost)}};
+  return {{"model", model.model},          {"clouds", json_of(model.clouds)}, {"whole", json_of(model.whole)},
+          {"tiles", json_of(model.tiles)}, {"ldr_flip", model.ldr_flip},      {"hdr_flip", model.hdr_flip},
+          {"psnr_db", model.psnr_db},      {"cost", json_of(model.cost)}};
 }
 
 Json json_of(const ViewResult& view) {
@@ -50,6 +50,7 @@ Json json_of(const ModelSummary& model) {
           {"relative_error_mean", model.relative_error},
           {"relative_error_p95", model.relative_error_p95},
           {"whole_relative_error_mean", model.whole_relative_error},
+          {"tile_relative_error_mean", model.tile_relative_error},
           {"abs_log_ratio_of_means", model.abs_log_ratio},
           {"ldr_flip", model.ldr_flip},
           {"hdr_flip", model.hdr_flip},

@@ -21,6 +21,7 @@ struct Sum {
     summary.relative_error += result.clouds.mean;
     summary.relative_error_p95 += result.clouds.p95;
     summary.whole_relative_error += result.whole.mean;
+    summary.tile_relative_error += result.tiles.mean;
     summary.abs_log_ratio += log_ratio;
     summary.ldr_flip += result.ldr_flip;
     summary.hdr_flip += result.hdr_flip;
@@ -38,8 +39,9 @@ struct Sum {
   }
 
   ModelSummary mean() {
-    for (double* sum : {&summary.relative_error, &summary.relative_error_p95, &summary.whole_relative_error,
-                        &summary.abs_log_ratio, &summary.ldr_flip, &summary.hdr_flip, &summary.psnr_db})
+    for (double* sum :
+         {&summary.relative_error, &summary.relative_error_p95, &summary.whole_relative_error,
+          &summary.tile_relative_error, &summary.abs_log_ratio, &summary.ldr_flip, &summary.hdr_flip, &summary.psnr_db})
       *sum /= views;
     summary.worst_psnr_db.value *= -1;
     if (costs) summary.cost = {cost.cpu_ms / costs, cost.wall_ms / costs, cost.sun_change_cpu_ms / costs};

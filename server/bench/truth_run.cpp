@@ -15,7 +15,7 @@ constexpr float least_cloud = 0.05F;
 // What models are compared with.
 struct Reference {
   Picture radiance, display;
-  Mask clouds;
+  Mask clouds, cloud_tiles;
 };
 
 Frame reference_frame(const TruthRun& run, const TruthView& view) {
@@ -31,6 +31,15 @@ Mask clouds_of(const Frame& traced) {
   Mask clouds;
   for (std::size_t i = 3; i < traced.radiance_rgba.size(); i += 4)
     clouds.push_back(traced.radiance_rgba[i] >= least_cloud);
+  return clouds;
+}
+
+// Where the tile's mean is as of a cloud.
+Mask cloud_tiles_of(const Frame& traced) {
+  Picture alpha{traced.request.size_px, {}};
+  for (std::size_t i = 3; i < traced.radiance_rgba.size(); i += 4) alpha.rgb.emplace_back(traced.radiance_rgba[i]);
+  Mask clouds;
+  for (const glm::dvec3& tile : tiles_of(alpha, tile_px).rgb) clouds.push_back(tile.x >= least_cloud);
   return clouds;
 }
 
@@ -62,6 +71,8 @@ ModelResult compare(const TruthRun& run, const TruthView& view, const std::strin
   result.model = name;
   result.clouds = radiance_error(reference.radiance, radiance, reference.clouds);
   result.whole = radiance_error(reference.radiance, radiance, Mask(radiance.rgb.size(), true));
+  result.tiles =
+      radiance_error(tiles_of(reference.radiance, tile_px), tiles_of(radiance, tile_px), reference.cloud_tiles);
   result.ldr_flip = mean_of(errors);
   result.hdr_flip = mean_of(hdr_flip(reference.radiance, radiance));
   result.psnr_db = psnr_db(reference.display, display);
@@ -80,7 +91,7 @@ ModelResult compare_model(const TruthRun& run, const TruthView& view, const Trut
 
 ViewResult compare_all(const TruthRun& run, const TruthView& view) {
   const Frame traced = reference_frame(run, view);
-  Reference reference{radiance_picture(traced), {}, clouds_of(traced)};
+  Reference reference{radiance_picture(traced), {}, clouds_of(traced), cloud_tiles_of(traced)};
   reference.display = display_picture(reference.radiance, view.request.display);
   write_pictures(run, view.name, "reference", reference.display, {});
   const auto clouds = static_cast<double>(std::count(reference.clouds.begin(), reference.clouds.end(), true));

@@ -17,28 +17,28 @@ namespace {
 }
 
 std::string row_of(const ModelResult& model) {
-  return print("  %-18s %7.1f%% %7.1f%% %8.3f %8.4f %8.4f %8.1f %7.1f%%\n", model.model.c_str(),
+  return print("  %-18s %7.1f%% %7.1f%% %8.3f %8.4f %8.4f %8.1f %7.1f%% %7.1f%%\n", model.model.c_str(),
                100 * model.clouds.mean, 100 * model.clouds.p95, model.clouds.log_ratio, model.ldr_flip, model.hdr_flip,
-               model.psnr_db, 100 * model.whole.mean);
+               model.psnr_db, 100 * model.whole.mean, 100 * model.tiles.mean);
 }
 
 std::string view_table(const ViewResult& view) {
   std::string text = print("\n%s: %s (clouds cover %.0f %%, the reference's own noise there %.1f %%)\n",
                            view.name.c_str(), view.title.c_str(), 100 * view.cloud_share, 100 * view.reference_noise);
-  text += print("  %-18s %8s %8s %8s %8s %8s %8s %8s\n", "", "error", "p95", "ln ratio", "LDRFLIP", "HDRFLIP",
-                "PSNR dB", "whole");
+  text += print("  %-18s %8s %8s %8s %8s %8s %8s %8s %8s\n", "", "error", "p95", "ln ratio", "LDRFLIP", "HDRFLIP",
+                "PSNR dB", "whole", "tiles");
   for (const ModelResult& model : view.models) text += row_of(model);
   return text + row_of(view.noise_floor);
 }
 
 std::string summary_table(std::vector<ModelSummary> models, const ModelSummary& noise_floor) {
-  std::string text = print("\nMeans over the views:\n  %-18s %8s %8s %9s %8s %8s %8s %8s\n", "", "error", "p95",
-                           "|ln rat.|", "LDRFLIP", "HDRFLIP", "PSNR dB", "whole");
+  std::string text = print("\nMeans over the views:\n  %-18s %8s %8s %9s %8s %8s %8s %8s %8s\n", "", "error", "p95",
+                           "|ln rat.|", "LDRFLIP", "HDRFLIP", "PSNR dB", "whole", "tiles");
   models.push_back(noise_floor);
   for (const ModelSummary& model : models)
-    text += print("  %-18s %7.1f%% %7.1f%% %9.3f %8.4f %8.4f %8.1f %7.1f%%\n", model.model.c_str(),
+    text += print("  %-18s %7.1f%% %7.1f%% %9.3f %8.4f %8.4f %8.1f %7.1f%% %7.1f%%\n", model.model.c_str(),
                   100 * model.relative_error, 100 * model.relative_error_p95, model.abs_log_ratio, model.ldr_flip,
-                  model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error);
+                  model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error, 100 * model.tile_relative_error);
   return text;
 }
 
@@ -84,7 +84,8 @@ std::string truth_tables(const TruthResults& results) {
   std::string text = print(
       "%zu views of %dx%d, reference of %d samples a pixel, models at quality %s with %d samples.\n"
       "error, p95: relative radiance error where the reference met cloud; ln ratio: of the mean radiances there; "
-      "whole: error of the whole picture; noise: what a perfect model would show, from the reference's own noise.\n",
+      "whole: error of the whole picture; tiles: of squares of 8x8 pixels, whose noise is an eighth; noise: what a "
+      "perfect model would show, from the reference's own noise.\n",
       results.views.size(), results.size_px.width, results.size_px.height, results.reference_samples,
       std::string(name_of(results.quality)).c_str(), results.model_samples);
   for (const ViewResult& view : results.views) text += view_table(view);

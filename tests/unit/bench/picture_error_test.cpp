@@ -44,6 +44,15 @@ TEST(Psnr, OfAKnownDifference) {
   EXPECT_EQ(psnr_db(row_of({{0.5, 0.5, 0.5}}), row_of({{0.5, 0.5, 0.5}})), 100);
 }
 
+TEST(Tiles, AreMeansOfWholeSquares) {
+  Picture picture{{5, 3}, {}};
+  for (int i = 0; i < 15; ++i) picture.rgb.emplace_back(i);
+  const Picture tiles = tiles_of(picture, 2);
+  EXPECT_EQ(tiles.size_px, (ImageSize{2, 1}));
+  EXPECT_EQ(tiles.rgb[0], glm::dvec3((0 + 1 + 5 + 6) / 4.0));
+  EXPECT_EQ(tiles.rgb[1], glm::dvec3((2 + 3 + 7 + 8) / 4.0));
+}
+
 TEST(DisplayPicture, ExposesEncodesAndRounds) {
   Display display;
   display.tone_curve = ToneCurve::none;

@@ -157,6 +157,9 @@ TEST(TruthRun, ComparesEveryModelInEveryView) {
   const ModelResult& octaves = view.models[1];
   EXPECT_EQ(octaves.clouds.pixels, 64);
   EXPECT_EQ(octaves.whole.pixels, 128);
+  EXPECT_EQ(octaves.tiles.pixels, 2) << "each of which is half cloud";
+  EXPECT_NEAR(octaves.tiles.mean, 0.2, 1e-5);
+  EXPECT_LT(view.noise_floor.tiles.mean, view.noise_floor.clouds.mean / 3);
   EXPECT_NEAR(octaves.clouds.mean, 0.2, 1e-5);
   EXPECT_NEAR(octaves.clouds.log_ratio, std::log(1.2), 1e-5);
   EXPECT_GT(octaves.ldr_flip, 0);
