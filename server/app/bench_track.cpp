@@ -3,12 +3,10 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <thread>
 
 #include "app/bench.h"
 #include "app/gpu_stack.h"
 #include "bench/track_report.h"
-#include "core/error.h"
 #include "core/log.h"
 #include "settings/cloudscape_json.h"
 #include "settings/text_file.h"
@@ -29,14 +27,6 @@ struct TrackOptions {
 struct Results {
   fs::path json, plots;
 };
-
-void make_folder(const fs::path& folder, const std::string& option) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw InvalidInput(option, "needs the folder '" + folder.string() + "', which cannot be made (" + error.message() +
-                                   "): choose another place");
-}
 
 // Makes the folders, so that a long run does not end without a place for what it found.
 Results results_of(const TrackOptions& options) {
@@ -60,12 +50,6 @@ std::function<void(double)> track_progress() {
                  percent == 100 || !terminal ? "\n" : "");
     std::fflush(stderr);
   };
-}
-
-bench::Machine machine_of(const gpu::Context& context) {
-  const bool compute = context.execution() == gpu::PassExecution::compute;
-  return {context.device().renderer, context.device().gl_version, compute ? "compute" : "fragment",
-          std::thread::hardware_concurrency()};
 }
 
 bench::TrackTimes measure(const TrackOptions& options, const Cloudscape& cloudscape, const settings::CameraPath& path,

@@ -7,7 +7,8 @@
 
 namespace cloudscape {
 extern const EmbeddedFiles embedded_stills;
-}
+extern const EmbeddedFiles embedded_truth_views;
+}  // namespace cloudscape
 
 namespace cloudscape::settings {
 namespace {
@@ -22,15 +23,23 @@ StillHeading heading_of(const EmbeddedFile& file) {
   return heading;
 }
 
-}  // namespace
-
-std::vector<StillEntry> named_stills() {
+std::vector<StillEntry> entries_of(EmbeddedFiles files) {
   std::vector<StillEntry> entries;
-  for (const EmbeddedFile& file : embedded_stills) {
+  for (const EmbeddedFile& file : files) {
     const StillHeading heading = heading_of(file);
     entries.push_back({document_name(file), heading.title, heading.description});
   }
   return entries;
+}
+
+}  // namespace
+
+std::vector<StillEntry> named_stills() { return entries_of(embedded_stills); }
+
+std::vector<StillEntry> truth_views() { return entries_of(embedded_truth_views); }
+
+StillDocument truth_view(std::string_view name) {
+  return {std::string(named_document(embedded_truth_views, name, "view").bytes), ""};
 }
 
 StillDocument named_still(std::string_view name) {

@@ -1,4 +1,4 @@
-// Stills as documents: those of config/stills, compiled into the program and known by name, and files.
+// Stills as documents: those of config/stills and config/truth, compiled into the program and known by name, and files.
 #pragma once
 #include <string>
 #include <string_view>
@@ -20,5 +20,9 @@ std::vector<StillEntry> named_stills();
 StillDocument named_still(std::string_view name);  // throws NotFound, with the nearest name
 // A file's path (it holds '/' or ends in .json) or a name. Throws NotFound, Error (cannot be read).
 StillDocument find_still(const std::string& name_or_file);
+
+// Those of config/truth, which `cloudscape bench truth` compares light models in. Throws NotFound likewise.
+std::vector<StillEntry> truth_views();
+StillDocument truth_view(std::string_view name);
 
 }  // namespace cloudscape::settings

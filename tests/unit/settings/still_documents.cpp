@@ -43,6 +43,20 @@ TEST_F(StillDocuments, EachThatHasANameCanBeRendered) {
   EXPECT_EQ(names, files);
 }
 
+TEST_F(StillDocuments, SoCanEachViewOfTheTruth) {
+  std::set<std::string> files, names;
+  for (const auto& file : std::filesystem::directory_iterator(CLOUDSCAPE_SOURCE_DIR "/config/truth"))
+    files.insert(file.path().stem());
+  for (const StillEntry& entry : truth_views()) {
+    names.insert(entry.name);
+    EXPECT_NE(entry.title, "") << entry.name;
+    EXPECT_TRUE(entry.description.ends_with(".")) << entry.name;
+    EXPECT_NO_THROW(still_from_document(truth_view(entry.name), {}, library, {})) << entry.name;
+  }
+  EXPECT_EQ(names, files);
+  EXPECT_THAT(refusal<NotFound>([] { truth_view("noom"); }).sentence, HasSubstr("did you mean noon?"));
+}
+
 TEST_F(StillDocuments, MeanWhatABodyMeans) {
   const StillRequest still = read(document);
   EXPECT_EQ(still.canonical, still_from_json(document, library, {}).canonical);
