@@ -92,6 +92,7 @@ inline Cloudscape ball(double radius_m, double optical_radius, VolumeKind kind =
 // A cheap noise layer: a small tile with clouds nearly everywhere.
 inline Cloudscape small_clouds() {
   Cloudscape sky;
+  sky.medium.light_model.kind = LightModelKind::beer_octaves;  // which needs no time
   sky.seed = 3;
   sky.volume.resolution = 16;
   sky.detail.resolution = 16;
