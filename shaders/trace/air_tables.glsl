@@ -12,6 +12,7 @@ int settled(int event) { return event; }
 Vertex scatter_in_air() { return Vertex(vec3(0.0), vec3(0.0)); }
 
 void begin_path() { path.first_m = 0.0; }
+vec3 up_at(vec3 p) { return normalize(vec3(p.xy / planet_radius_m, 1.0)); }
 bool is_first() { return path.first_m == 0.0; }
 
 // The air between the camera and the first vertex; `sign`: of what is kept of its distance.

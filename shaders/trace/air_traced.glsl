@@ -28,6 +28,7 @@ void leave_world() {}
 float mean_of(vec3 v) { return (v.x + v.y + v.z) / 3.0; }
 
 vec3 from_planet(vec3 p) { return vec3(p.xy, p.z + planet_radius_m); }
+vec3 up_at(vec3 p) { return normalize(from_planet(p)); }
 
 // Distance to the planet at sea level, where there may be no ground; no_hit_m: none.
 float planet_distance_m(vec3 origin, vec3 direction) {
@@ -43,7 +44,7 @@ Sunlight sunlight_at(vec3 p, float u, float turn) {
   vec3 irradiance = second ? frame.second_irradiance.xyz : frame.light_irradiance.xyz;
   vec3 direction = towards_disc(disc, fract(u * lights), turn);
   float above_m = max(altitude_far_of(p), 0.0);
-  vec3 arrives = space_transmittance(above_m, dot(normalize(from_planet(p)), direction));
+  vec3 arrives = space_transmittance(above_m, dot(up_at(p), direction));
   if (planet_distance_m(p, direction) < no_hit_m) arrives = vec3(0.0);
   return Sunlight(direction, lights * irradiance * arrives);
 }
