@@ -2,7 +2,6 @@
 // answer.
 #pragma once
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "gpu/render/traced_air.h"

@@ -13,6 +13,7 @@ constexpr double planet_m = 6360e3, air_top_m = 6460e3, cloud_top_m = 6400e3;
 inline Cloudscape white_planet(double sun_deg, double cloud_depth) {
   Cloudscape sky = clear_world(sun_deg, 1);
   sky.sky.haze = 0, sky.sky.ozone = 0, sky.sky.stars = 0;
+  sky.moon.brightness = 0;  // it would stand behind the planet, and be seen
   sky.volume.origin_m = glm::dvec3(0, 0, -planet_m) - cloud_top_m;
   sky.volume.size_m = glm::dvec3(2 * cloud_top_m);
   sky.medium.extinction_per_m = cloud_depth / (cloud_top_m - planet_m);

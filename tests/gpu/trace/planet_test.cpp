@@ -11,9 +11,6 @@ TEST_F(TracedPlanet, SendsOutWhatItTakes) {
     const Colours share = sent_out(cloud_depth, 32, 16);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(share.mean[i], 1, 4 * share.error[i] + 0.003) << "colour " << i;
     EXPECT_LT(share.error.x, 0.01);
-    if (std::getenv("CLOUDSCAPE_PRINT"))
-      std::printf("cloud %.0f: %.4f %.4f %.4f +- %.4f %.4f %.4f\n", cloud_depth, share.mean.x, share.mean.y,
-                  share.mean.z, share.error.x, share.error.y, share.error.z);
   }
 }
 
