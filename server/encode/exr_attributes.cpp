@@ -45,6 +45,7 @@ void add_sun(Imf::Header& header, const Sun& sun) {
 // A path-traced picture has no steps, but what its random numbers depend on.
 void add_tracing(Imf::Header& header, const Tracing& tracing) {
   add(header, "trace_seed", static_cast<double>(tracing.seed));
+  add(header, "trace_atmosphere", std::string(name_of(tracing.atmosphere)));
   add(header, "trace_max_scattering_order", tracing.max_scattering_order.value_or(0));
 }
 

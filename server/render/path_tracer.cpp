@@ -18,6 +18,9 @@ constexpr double slice_ms = 50;  // tuned: as a marched frame's slices
 constexpr int rounds = 16, flights = 8;
 constexpr int most_slots = 1 << 18;      // tuned: enough to fill a large GPU; 38 MB
 constexpr std::size_t slot_bytes = 144;  // shaders/trace/state.glsl
+constexpr std::size_t air_slot_bytes = 32;  // shaders/trace/air_traced.glsl
+constexpr const char* pass_paths[] = {"trace/paths.comp", "trace/paths_terrain.comp", "trace/paths_air.comp",
+                                      "trace/paths_terrain_air.comp"};
 // Altitude along a ray changes faster than at its beginning by at most its length over the planet's radius, and no ray
 // asks further than 2 km ahead (shaders/trace/bounds.glsl).
 constexpr double most_bend = 2e-4;
@@ -80,6 +83,8 @@ std::unique_ptr<Trace> PathTracer::begin(const FrameRequest& request, const bake
   trace->slot_count = static_cast<int>(std::min<std::int64_t>(pixels, most_slots));
   const auto slots = static_cast<std::size_t>(trace->slot_count);
   trace->slots = gpu::StorageBuffer(slots * slot_bytes, "paths");
+  trace->traced_air = tracing.atmosphere == TracedAtmosphere::traced;
+  if (trace->traced_air) trace->air_slots = gpu::StorageBuffer(slots * air_slot_bytes, "paths in the air");
   for (auto& list : trace->lists) list = gpu::StorageBuffer(slots * sizeof(std::uint32_t), "list of paths");
   trace->counters = gpu::StorageBuffer(sizeof(Counters), "path tracer's counters");
   for (Texture& sum : trace->sums) sum = sum_texture(request.size_px);
@@ -96,9 +101,10 @@ std::unique_ptr<Trace> PathTracer::begin(const FrameRequest& request, const bake
   return trace;
 }
 
-const gpu::StoragePass& PathTracer::pass_for(const TracedScene& scene) {
-  auto& pass = passes_[scene.terrain ? 1 : 0];
-  if (!pass) pass.emplace(shaders_, scene.terrain ? "trace/paths_terrain.comp" : "trace/paths.comp");
+const gpu::StoragePass& PathTracer::pass_for(const Trace& trace, const TracedScene& scene) {
+  const std::size_t kind = (scene.terrain ? 1U : 0U) + (trace.traced_air ? 2U : 0U);
+  auto& pass = passes_[kind];
+  if (!pass) pass.emplace(shaders_, pass_paths[kind]);
   return *pass;
 }
 
@@ -112,7 +118,7 @@ void PathTracer::begin_wave(Trace& trace, int samples) {
 }
 
 bool PathTracer::advance(Trace& trace, const TracedScene& scene) {
-  pass_for(scene);  // whose compilation is not rendering
+  pass_for(trace, scene);  // whose compilation is not rendering
   const auto start = Clock::now();
   if (trace.listed == 0) {
     const int samples = next_wave(trace.goal, trace.stand);
@@ -149,12 +155,13 @@ void PathTracer::dispatch(Trace& trace, const TracedScene& scene) {
   trace.lists[trace.list].bind(1);
   trace.lists[1 - trace.list].bind(2);
   trace.counters.bind(3);
+  if (trace.traced_air) trace.air_slots.bind(4);
   std::vector<Binding> textures = scene.textures;
   if (trace.majorants.fine)
     textures.insert(textures.end(), {{6, &trace.majorants.fine}, {15, &trace.majorants.coarse}});
   if (trace.phase) textures.insert(textures.end(), {{5, &trace.phase->texels}, {3, &trace.phase->aliases}});
   const Texture* images[] = {&trace.sums[0], &trace.sums[1], &trace.sums[2], &trace.sums[3]};
-  pass_for(scene).run(entries, textures, images);
+  pass_for(trace, scene).run(entries, textures, images);
   trace.next_entry += entries;
   if (!context_.device().software) return;
   context_.finish();

@@ -29,6 +29,7 @@ struct TraceCounts {
 // A picture that is being traced: paths, sums, and where they are.
 struct Trace {
   gpu::StorageBuffer slots, lists[2], counters;
+  gpu::StorageBuffer air_slots;  // where the atmosphere is traced
   std::array<gpu::Texture, 4> sums;  // shaders/trace/sums.glsl
   bake::Majorants majorants;
   std::optional<bake::PhaseSampling> phase;
@@ -39,6 +40,7 @@ struct Trace {
   std::uint32_t seed = 1;
   int max_order = 0;  // 0: none
   int slot_count = 0;
+  bool traced_air = false;
   int wave_end = 0;  // sample that none may begin in the current wave
   int listed = 0, next_entry = 0, list = 0;
   vec4 slopes{0};  // TraceBlock
@@ -71,7 +73,7 @@ class PathTracer {
   void limit_slices(int paths) { most_entries_ = paths; }
 
  private:
-  const gpu::StoragePass& pass_for(const TracedScene& scene);
+  const gpu::StoragePass& pass_for(const Trace& trace, const TracedScene& scene);
   void begin_wave(Trace& trace, int samples);
   void end_sweep(Trace& trace);
   double relative_error(const Trace& trace);
@@ -81,7 +83,7 @@ class PathTracer {
   gpu::ShaderLibrary& shaders_;
   bake::MajorantBuilder majorants_;
   gpu::ScreenPass resolve_;
-  std::array<std::optional<gpu::StoragePass>, 2> passes_;  // without and with terrain; compiled when first used
+  std::array<std::optional<gpu::StoragePass>, 4> passes_;  // as pass_paths; compiled when first used
   gpu::UniformBlock<TraceBlock> block_;
   int most_entries_ = 1 << 30;
   double entries_per_ms_ = 50;  // measured; it sizes the slices and changes no pixel

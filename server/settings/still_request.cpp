@@ -91,6 +91,13 @@ void check_limits(const FrameRequest& request, const std::string& prefix, const 
                                             "or light_steps");
 }
 
+void check_tracing(const FrameRequest& request, const std::string& prefix) {
+  if (request.tracing.atmosphere != TracedAtmosphere::traced || request.cloudscape->sky.kind == SkyKind::clear) return;
+  throw InvalidInput(prefix + "atmosphere", "is traced, but the cloudscape's sky is " +
+                                                std::string(name_of(request.cloudscape->sky.kind)) +
+                                                ": only a clear sky has air to trace; ask for tables");
+}
+
 // The sun stands by the place and time that the request names, else by its angles, else as the document says.
 void place_sun(Cloudscape& changed, StillBody& body, const std::string& where) {
   Sun& sun = body.sun.sun;
@@ -142,6 +149,7 @@ StillRequest finish(const std::shared_ptr<const Cloudscape>& cloudscape, StillBo
   request.encoding = body.image.encoding;
   request.frame.content = request.encoding.format == ImageFormat::exr ? FrameContent::radiance : FrameContent::display;
   check_limits(request.frame, prefix, limits);
+  check_tracing(request.frame, prefix);
   request.canonical = canonical_text(*request.frame.cloudscape, body);
   return request;
 }

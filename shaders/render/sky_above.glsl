@@ -47,10 +47,15 @@ vec3 stars(vec3 direction) {
   return sum * frame.stars.xyz;
 }
 
+// Of what lies beyond the air, unattenuated.
+vec3 radiance_of_space(vec3 direction) {
+  vec4 moon = moon_disc(direction);
+  return sun_disc(direction) + mix(stars(direction) + frame.night.xyz, moon.xyz, moon.w);
+}
+
 vec3 radiance_above(vec3 direction) {
   vec3 sky = sky_radiance(direction);
-  vec4 moon = moon_disc(direction);
-  vec3 beyond = sun_disc(direction) + mix(stars(direction) + frame.night.xyz, moon.xyz, moon.w);
+  vec3 beyond = radiance_of_space(direction);
   vec3 through = vec3(1.0);
   if (sky_kind() == sky_clear) through = space_transmittance(camera_altitude_m(), direction.z);
   return sky + beyond * through;

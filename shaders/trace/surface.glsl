@@ -9,7 +9,7 @@ struct Reflector {
   vec3 albedo, normal;
 };
 
-vec3 up_at(vec3 p) { return normalize(vec3(p.xy / planet_radius_m, 1.0)); }
+vec3 up_at(vec3 p);  // the vertical: in air_tables.glsl as far as one sees, in air_traced.glsl all round the planet
 
 // Distance to the ground along a ray, m; no_hit_m where there is none.
 float surface_distance_m(vec3 origin, vec3 direction);

@@ -86,7 +86,8 @@ TEST_F(TracedAgain, EndsWithinTheTimeBudget) {
 }
 
 TEST_F(TracedAgain, TheBlockIsLaidOutAsInCpp) {
-  for (const char* path : {"trace/paths.comp", "trace/paths_terrain.comp"}) {
+  for (const char* path :
+       {"trace/paths.comp", "trace/paths_terrain.comp", "trace/paths_air.comp", "trace/paths_terrain_air.comp"}) {
     const gpu::StoragePass pass(stack().shaders, path);
     EXPECT_EQ(pass.program().block_offsets("TraceBlock"), TraceBlock::offsets());
   }

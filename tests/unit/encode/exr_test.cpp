@@ -192,9 +192,11 @@ TEST(Exr, SaysHowAPictureWasTraced) {
   Frame frame = radiance_frame({2, 2});
   frame.request.quality = render_quality(Quality::reference);
   frame.request.tracing.seed = 4294967295;
+  frame.request.tracing.atmosphere = TracedAtmosphere::traced;
   frame.request.tracing.max_scattering_order = 3;
   const Imf::Header header = decode(encode::encode(frame, exr(ExrType::half))).header;
   EXPECT_EQ(number(header, "trace_seed"), 4294967295.0);
+  EXPECT_EQ(text(header, "trace_atmosphere"), "traced");
   EXPECT_EQ(integer(header, "trace_max_scattering_order"), 3);
   EXPECT_EQ(header.find("quality_max_steps"), header.end());
 }

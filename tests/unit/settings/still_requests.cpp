@@ -72,12 +72,32 @@ TEST_F(Stills, ReferencesAreTraced) {
   const StillRequest still = query({{"quality", "reference"}, {"seed", "7"}, {"max_scattering_order", "1"}});
   EXPECT_EQ(still.frame.quality.technique, Technique::path_tracing);
   EXPECT_EQ(still.frame.quality.samples, 64);
-  EXPECT_EQ(still.frame.tracing, (Tracing{7, 1, {}, {}}));
+  EXPECT_EQ(still.frame.tracing, (Tracing{7, TracedAtmosphere::tables, 1, {}, {}}));
   const StillRequest small =
       query({{"quality", "reference"}, {"noise_target", "0.01"}, {"width", "64"}, {"height", "36"}});
   EXPECT_EQ(small.frame.quality.samples, 4096);
   EXPECT_EQ(query({{"quality", "reference"}, {"time_budget_s", "2"}, {"samples", "9"}}).frame.quality.samples, 9);
   EXPECT_EQ(sentence({{"max_scattering_order", "0"}}), "/max_scattering_order is 0: must be within [1, 65535]");
+}
+
+TEST_F(Stills, OnlyAClearSkysAirIsTraced) {
+  const Parameters traced{{"quality", "reference"}, {"atmosphere", "traced"}};
+  EXPECT_EQ(query(traced).frame.tracing.atmosphere, TracedAtmosphere::traced);
+  EXPECT_EQ(query({{"atmosphere", "traced"}}).canonical, query({}).canonical) << "a march has no use for it";
+  EXPECT_EQ(sentence({{"quality", "reference"}, {"atmosphere", "tracd"}}).find("/atmosphere is"), 0U);
+  Cloudscape grey = *library.get("overcast");
+  grey.sky.kind = SkyKind::uniform;
+  const std::string asked =
+      R"({"cloudscape": )" + to_json(grey) +
+      R"(, "image": {"quality": "reference", "atmosphere": "traced", "width": 64, "height": 36}})";
+  try {
+    still_from_json(asked, library, {});
+    FAIL() << "a uniform sky was traced";
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("/image/atmosphere is traced, but the cloudscape's sky is uniform"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 // What has no meaning without path tracing does not make two pictures of one.
