@@ -102,6 +102,7 @@ class EveryPreset : public RenderTest, public testing::WithParamInterface<std::s
     Cloudscape sky = *settings::CloudscapeLibrary({}).get(GetParam());
     sky.volume.resolution = 16;  // the bake is not what is tested
     sky.detail.resolution = 16;
+    sky.medium.light_model.volume_resolution = 16;
     return sky;
   }
 };

@@ -1,3 +1,4 @@
+// Light that comes from the disk is the light that was stored, or none.
 #include "bake/light_cache.h"
 
 #include <gtest/gtest.h>

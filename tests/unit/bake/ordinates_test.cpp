@@ -1,3 +1,4 @@
+// The directions of the discrete ordinates, and what makes their iteration fast.
 #include "bake/ordinates.h"
 
 #include <gtest/gtest.h>
