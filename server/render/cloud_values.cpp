@@ -121,8 +121,8 @@ double light_length_m(const Volume& volume, const March& march) {
   return march.light_length_m.value_or(volume.grid.tiling ? 20 * volume.size_m.z : 1e7);
 }
 
-// tuned: as far as the grid of the in-scatter volume is too coarse for the shadows on a cloud's surface; beyond it, it is
-// better than a few samples.
+// tuned: as far as the grid of the in-scatter volume is too coarse for the shadows on a cloud's surface; beyond it, it
+// is better than a few samples.
 double near_light_m(const Cloudscape& sky, const March& march) {
   const double point_m = std::max(sky.volume.size_m.x, sky.volume.size_m.y) / sky.medium.light_model.volume_resolution;
   const bool from_formula = sky.volume.kind != VolumeKind::noise && !is_from_file(sky.volume.kind);
