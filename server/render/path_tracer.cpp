@@ -16,8 +16,8 @@ using gpu::Binding, gpu::Format, gpu::Texture;
 constexpr double slice_ms = 50;  // tuned: as a marched frame's slices
 // tuned: so many that the state is seldom loaded and stored, so few that a slice stays short.
 constexpr int rounds = 16, flights = 8;
-constexpr int most_slots = 1 << 18;      // tuned: enough to fill a large GPU; 38 MB
-constexpr std::size_t slot_bytes = 144;  // shaders/trace/state.glsl
+constexpr int most_slots = 1 << 18;         // tuned: enough to fill a large GPU; 38 MB
+constexpr std::size_t slot_bytes = 144;     // shaders/trace/state.glsl
 constexpr std::size_t air_slot_bytes = 32;  // shaders/trace/air_traced.glsl
 constexpr const char* pass_paths[] = {"trace/paths.comp", "trace/paths_terrain.comp", "trace/paths_air.comp",
                                       "trace/paths_terrain_air.comp"};

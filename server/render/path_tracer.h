@@ -29,7 +29,7 @@ struct TraceCounts {
 // A picture that is being traced: paths, sums, and where they are.
 struct Trace {
   gpu::StorageBuffer slots, lists[2], counters;
-  gpu::StorageBuffer air_slots;  // where the atmosphere is traced
+  gpu::StorageBuffer air_slots;      // where the atmosphere is traced
   std::array<gpu::Texture, 4> sums;  // shaders/trace/sums.glsl
   bake::Majorants majorants;
   std::optional<bake::PhaseSampling> phase;

@@ -113,7 +113,7 @@ TEST_F(TruthOfTheAir, AWhitePlanetSendsOutWhatItTakes) {
     std::printf("| white planet, cloud of optical depth %.0f | 1 | %.4f, %.4f, %.4f | %s |\n", cloud_depth,
                 share.mean.x, share.mean.y, share.mean.z, percents(share.error).c_str());
     std::fflush(stdout);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(share.mean[i], 1, 4 * share.error[i] + 0.003) << "colour " << i;
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(share.mean[i], 1, 4 * share.error[i] + 0.001) << "colour " << i;
   }
 }
 
