@@ -109,7 +109,8 @@ int fly() {
     float cloud_per_m = bound.density * cloud.medium.x;
     float per_m = max(cloud_per_m + air.per_m, 1.0e-20);
     float flight_m = sample_optical_depth(u.x) / per_m;
-    float free_m = min(bound.free_m, air.free_m);
+    // Far out 32 bits know no shorter way than this one, and a ray must not stop.
+    float free_m = max(min(bound.free_m, air.free_m), 1.2e-7 * path.t);
     path.t += min(flight_m, free_m);
     bool in_gap = path.t > path.gap_begin && path.t < path.gap_end;
     float kind = u.y * per_m;

@@ -48,21 +48,27 @@ inline double taken_m2(std::size_t colour, double cloud_depth) {
   return area;
 }
 
-// Nodes and weights of Gauss and Legendre on -1..1, eight of them by symmetry.
-constexpr std::array<std::array<double, 2>, 4> gauss{{{0.1834346424956498, 0.3626837833783620},
-                                                      {0.5255324099163290, 0.3137066458778873},
-                                                      {0.7966664774136267, 0.2223810344533745},
-                                                      {0.9602898564975363, 0.1012285362903763}}};
+// Nodes and weights of Gauss and Legendre on -1..1, sixteen of them by symmetry.
+constexpr std::array<std::array<double, 2>, 8> gauss{{{0.0950125098376374, 0.1894506104550685},
+                                                      {0.2816035507792589, 0.1826034150449236},
+                                                      {0.4580167776572274, 0.1691565193950025},
+                                                      {0.6178762444026438, 0.1495959888165767},
+                                                      {0.7554044083550030, 0.1246289712555339},
+                                                      {0.8656312023878318, 0.0951585116824928},
+                                                      {0.9445750230732326, 0.0622535239386479},
+                                                      {0.9894009349916499, 0.0271524594117541}}};
 
 // The share of that light that comes out again: the sun goes round a camera that sees the planet whole, and what it
 // sees is summed over the angles between the two.
 inline Colours sent_out(double cloud_depth, int side, int samples) {
   constexpr double width_m = 2 * air_top_m;
   Colours sum;
+  std::uint32_t seed = 0;
   for (const auto& [node, weight] : gauss)
     for (const double cosine : {node, -node}) {
       const Cloudscape sky = white_planet(degrees(std::asin(cosine)), cloud_depth);
       FrameRequest request = through_air(traced_beam(sky, {{0, 0, 2e5}, 0, -90, 0}, side, samples, width_m));
+      request.tracing.seed = ++seed;  // or the errors of all pictures would be one
       const Colours one = colours_of(TraceTest::traced(request));
       const double scale = 2 * std::numbers::pi * weight * width_m * width_m;
       sum.mean += scale * one.mean;
