@@ -1,12 +1,12 @@
 // `cloudscape mie`: the phase function of water droplets as a table, and as a plot.
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "app/commands.h"
 #include "bake/mie_phase.h"
 #include "bench/svg_plot.h"
 #include "core/error.h"
+#include "core/formatted.h"
 #include "settings/text_file.h"
 
 namespace cloudscape::app {
@@ -20,40 +20,37 @@ struct MieOptions {
 
 constexpr double degree = std::numbers::pi / 180;
 
-template <class... Values>
-std::string text_of(const char* format, Values... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
 // Equal steps: what a spreadsheet wants. The table itself is finer towards both ends.
 double angle_deg_of(const MieOptions& options, int i) { return 180.0 * i / (options.angles - 1); }
 
 std::string csv_of(const MieOptions& options, const bake::PhaseTable& table) {
-  std::string csv = text_of("# phase function of water droplets, 1/sr: effective radius %g um, effective variance %g\n",
-                            options.effective_radius_um, options.effective_variance);
-  if (options.sun_radius_deg > 0) csv += text_of("# as a sun of radius %g degrees shows it\n", options.sun_radius_deg);
+  std::string csv =
+      formatted("# phase function of water droplets, 1/sr: effective radius %g um, effective variance %g\n",
+                options.effective_radius_um, options.effective_variance);
+  if (options.sun_radius_deg > 0)
+    csv += formatted("# as a sun of radius %g degrees shows it\n", options.sun_radius_deg);
   constexpr const char* names[] = {"red", "green", "blue"};
   for (std::size_t colour = 0; colour < 3; ++colour) {
     const bake::DropletOptics& optics = table.optics[colour];
-    csv += text_of("# %s: wavelength_um=%g extinction_efficiency=%.5f asymmetry_g=%.5f single_scattering_albedo=%.8f\n",
-                   names[colour], bake::water[colour].wavelength_um, optics.extinction_efficiency, optics.asymmetry_g,
-                   optics.single_scattering_albedo);
+    csv +=
+        formatted("# %s: wavelength_um=%g extinction_efficiency=%.5f asymmetry_g=%.5f single_scattering_albedo=%.8f\n",
+                  names[colour], bake::water[colour].wavelength_um, optics.extinction_efficiency, optics.asymmetry_g,
+                  optics.single_scattering_albedo);
   }
   csv += "angle_deg,cos_theta,red,green,blue\n";
   for (int i = 0; i < options.angles; ++i) {
     const double angle_deg = angle_deg_of(options, i);
     const auto phase = table.at(angle_deg * degree);
-    csv += text_of("%.9g,%.9g,%.7g,%.7g,%.7g\n", angle_deg, std::cos(angle_deg * degree), phase[0], phase[1], phase[2]);
+    csv +=
+        formatted("%.9g,%.9g,%.7g,%.7g,%.7g\n", angle_deg, std::cos(angle_deg * degree), phase[0], phase[1], phase[2]);
   }
   return csv;
 }
 
 std::string plot_of(const MieOptions& options, const bake::PhaseTable& table) {
   bench::LinePlot plot;
-  plot.title = text_of("Phase function of droplets of %g µm, variance %g", options.effective_radius_um,
-                       options.effective_variance);
+  plot.title = formatted("Phase function of droplets of %g µm, variance %g", options.effective_radius_um,
+                         options.effective_variance);
   plot.x_label = "scattering angle, degrees", plot.y_label = "1/sr", plot.logarithmic_y = true;
   plot.lines = {{"450 nm", {}, {}}, {"550 nm", {}, {}}, {"650 nm", {}, {}}};
   for (std::size_t texel = 0; texel < bake::phase_table_texels; ++texel)
@@ -67,7 +64,7 @@ std::string plot_of(const MieOptions& options, const bake::PhaseTable& table) {
 
 void check(const char* option, double value, double least, double most) {
   if (!(value >= least && value <= most))
-    throw InvalidInput(option, text_of("is %g: must be within [%g, %g]", value, least, most));
+    throw InvalidInput(option, formatted("is %g: must be within [%g, %g]", value, least, most));
 }
 
 int run_mie(const MieOptions& options) {

@@ -29,12 +29,9 @@ std::size_t part_of(const glm::vec3& direction, const glm::dvec3& sun) {
   return right < 0 ? 2 : 4;
 }
 
-float luminance(const Colours& c) { return 0.2126F * c[0] + 0.7152F * c[1] + 0.0722F * c[2]; }
-
 class Solver {
  public:
-  explicit Solver(const InScatterProblem& problem)
-      : problem_(problem), grid_(problem.grid), sweeper_(grid_), beam_(grid_.extinction_per_m.size()) {
+  explicit Solver(const InScatterProblem& problem) : problem_(problem), grid_(problem.grid), sweeper_(grid_) {
     const double f = problem.moments.forward_share, albedo = problem.single_scattering_albedo;
     for (float& extinction : grid_.extinction_per_m) extinction *= static_cast<float>(1 - albedo * f);
     albedo_ = static_cast<float>(albedo * (1 - f) / (1 - albedo * f));
@@ -59,7 +56,9 @@ class Solver {
       state = anderson.next(state, next);
       ++solution.iterations;
     } while (solution.change > accuracy.least_change && solution.iterations < accuracy.most_iterations);
-    put(light_of(state), solution);
+    const std::span<const Moments> light = light_of(state);
+    solution.light.assign(light.begin(), light.end());
+    solution.beam = beam_;
     return solution;
   }
 
@@ -143,18 +142,6 @@ class Solver {
     return sum > 0 ? difference / sum : 0;
   }
 
-  void put(std::span<const Moments> light, InScatterSolution& solution) const {
-    const auto vector = [](const Colours& c, float w) { return glm::vec4(c[0], c[1], c[2], w); };
-    solution.mean.resize(light.size());
-    for (auto& directed : solution.directed) directed.resize(light.size());
-    for (std::size_t i = 0; i < light.size(); ++i) {
-      solution.mean[i] = vector(light[i].even, beam_[i]);
-      solution.directed[0][i] = vector(light[i].east, 0);
-      solution.directed[1][i] = vector(light[i].north, 0);
-      solution.directed[2][i] = vector(light[i].up, 0);
-    }
-  }
-
   const InScatterProblem& problem_;
   InScatterGrid grid_;  // its extinction less what is scattered into the forward peak
   Sweeper sweeper_;
@@ -177,7 +164,7 @@ std::optional<InScatterSolution> solve_in_scatter(const InScatterProblem& proble
     const InScatterProblem coarse = coarse_problem(problem);
     const auto first = solve_in_scatter(coarse, {0.1 * accuracy.least_change, accuracy.most_iterations}, stop);
     if (!first) return std::nullopt;
-    begin = refined(*first, coarse.grid, problem.grid);
+    begin = refined(first->light, coarse.grid, problem.grid);
   }
   InScatterSolution solution = solver.solve(solver.state_of(begin), accuracy, stop);
   if (stop.stop_requested()) return std::nullopt;

@@ -8,7 +8,6 @@
 #pragma once
 #include <array>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -17,6 +16,7 @@ namespace cloudscape::bake {
 
 // Red, green, blue and nothing, in a register of four (GCC's and Clang's vector extension).
 using Colours = float __attribute__((vector_size(16)));
+inline float luminance(const Colours& c) { return 0.2126F * c[0] + 0.7152F * c[1] + 0.0722F * c[2]; }  // Rec. 709
 
 // A grid of points, x fastest, then y, then z (upwards); `periodic`: it repeats east and north, else what lies outside
 // is empty, as is what is above and below.
@@ -49,11 +49,16 @@ struct InScatterProblem {
   InScatterLight light;
 };
 
-// At each point, by colour: mean radiance of all directions, and the mean of radiance times the direction that it comes
-// from, without the sun's beam. `mean` has in w the share of the beam that arrives, light in the forward peak included.
+// A function of direction at a point: even + dot(directed, direction).
+struct Moments {
+  Colours even{}, east{}, north{}, up{};
+};
+
+// At each point: mean radiance of all directions, and the mean of radiance times the direction that it comes from,
+// without the sun's beam; and the share of the beam that arrives, light in the forward peak included.
 struct InScatterSolution {
-  std::vector<glm::vec4> mean;
-  std::array<std::vector<glm::vec4>, 3> directed;  // east, north, up
+  std::vector<Moments> light;
+  std::vector<float> beam;
   double share_below = 1, share_above = 0;  // of the light from above that leaves below and above, by its luminance
   int iterations = 0;
   double change = 0;  // of the last iteration, relative

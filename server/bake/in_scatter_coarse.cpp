@@ -27,15 +27,8 @@ Between between(int fine, int coarse_count, bool periodic) {
   return {inside(below), inside(below + 1), static_cast<float>(at - below)};
 }
 
-Colours lanes(const glm::vec4& v) { return Colours{v.x, v.y, v.z, 0}; }
-
-Moments moments_at(const InScatterSolution& solution, std::size_t point) {
-  return {lanes(solution.mean[point]), lanes(solution.directed[0][point]), lanes(solution.directed[1][point]),
-          lanes(solution.directed[2][point])};
-}
-
 void add(Moments& sum, const Moments& part, float share) {
-  const Colours weight = all_of(share);
+  const Colours weight{share, share, share, share};
   sum.even += weight * part.even, sum.east += weight * part.east;
   sum.north += weight * part.north, sum.up += weight * part.up;
 }
@@ -62,7 +55,7 @@ InScatterProblem coarse_problem(const InScatterProblem& fine) {
   return coarse;
 }
 
-std::vector<Moments> refined(const InScatterSolution& coarse, const InScatterGrid& coarse_grid,
+std::vector<Moments> refined(const std::vector<Moments>& coarse, const InScatterGrid& coarse_grid,
                              const InScatterGrid& fine) {
   std::vector<Moments> light;
   light.reserve(fine.extinction_per_m.size());
@@ -80,7 +73,7 @@ std::vector<Moments> refined(const InScatterSolution& coarse, const InScatterGri
           const auto [cx, sx] = along(bx, 0);
           const auto [cy, sy] = along(by, 1);
           const auto [cz, sz] = along(bz, 2);
-          add(sum, moments_at(coarse, index_of({cx, cy, cz}, n)), sx * sy * sz);
+          add(sum, coarse[index_of({cx, cy, cz}, n)], sx * sy * sz);
         }
         light.push_back(sum);
       }

@@ -2,14 +2,13 @@
 // begins, so that light need not find its way through thick clouds point by point.
 #pragma once
 #include "bake/in_scatter.h"
-#include "bake/in_scatter_sweep.h"
 
 namespace cloudscape::bake {
 
 // Each coarse point stands for two fine ones along each axis; the last alone for an odd one.
 InScatterProblem coarse_problem(const InScatterProblem& fine);
 // The light of a coarse solution at the points of the fine grid, linear between the coarse ones.
-std::vector<Moments> refined(const InScatterSolution& coarse, const InScatterGrid& coarse_grid,
+std::vector<Moments> refined(const std::vector<Moments>& coarse, const InScatterGrid& coarse_grid,
                              const InScatterGrid& fine);
 
 }  // namespace cloudscape::bake

@@ -10,11 +10,6 @@ namespace cloudscape::bake {
 inline Colours colours(const glm::vec3& rgb) { return Colours{rgb.x, rgb.y, rgb.z, 0}; }
 inline Colours all_of(float value) { return Colours{value, value, value, value}; }
 
-// A function of direction at a point: even + dot(directed, direction).
-struct Moments {
-  Colours even{}, east{}, north{}, up{};
-};
-
 class Sweeper {
  public:
   explicit Sweeper(const InScatterGrid& grid);

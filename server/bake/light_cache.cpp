@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
 
 namespace cloudscape::bake {
 namespace {
 
 constexpr std::string_view magic = "cloudscape light 1\n";
-
-float luminance(const glm::vec4& c) { return glm::dot(glm::vec3(c), glm::vec3(0.2126F, 0.7152F, 0.0722F)); }
 
 // Radiance is kept in 16 bits, in units of a power of two that the brightest texel is below.
 float unit_of(const std::vector<glm::vec4>& mean) {
@@ -43,14 +40,13 @@ T taken(std::string_view& payload) {
 
 LightTexels light_texels(const std::vector<InScatterSolution>& levels) {
   LightTexels light;
-  for (const InScatterSolution& level : levels) {
-    light.mean.insert(light.mean.end(), level.mean.begin(), level.mean.end());
-    for (std::size_t i = 0; i < level.mean.size(); ++i) {
-      const float scale = 1 / std::max(1e-20F, luminance(level.mean[i]));
-      light.directed.emplace_back(scale * luminance(level.directed[0][i]), scale * luminance(level.directed[1][i]),
-                                  scale * luminance(level.directed[2][i]), 0);
+  for (const InScatterSolution& level : levels)
+    for (std::size_t i = 0; i < level.light.size(); ++i) {
+      const Moments& at = level.light[i];
+      light.mean.emplace_back(at.even[0], at.even[1], at.even[2], level.beam[i]);
+      const float scale = 1 / std::max(1e-20F, luminance(at.even));
+      light.directed.emplace_back(scale * luminance(at.east), scale * luminance(at.north), scale * luminance(at.up), 0);
     }
-  }
   const float unit = unit_of(light.mean);
   for (glm::vec4& texel : light.mean) texel = unpacked(packed(texel, unit), unit);
   for (glm::vec4& texel : light.directed) texel = unpacked(packed(texel, 1), 1);

@@ -71,11 +71,7 @@ std::string track_json(const TrackTimes& track, const Machine& machine) {
   for (const VariantTimes& variant : track.variants) variants.push_back(json_of(track, variant));
   const Json document{{"benchmark", "track"},
                       {"program_version", version},
-                      {"machine",
-                       {{"renderer", machine.renderer},
-                        {"driver", machine.driver},
-                        {"pass_execution", machine.execution},
-                        {"cores", machine.cores}}},
+                      {"machine", json_of(machine)},
                       {"cloudscape", track.cloudscape},
                       {"path", track.path},
                       {"size_px", {track.size_px.width, track.size_px.height}},

@@ -3,19 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "bench/track_lookup.h"
+#include "core/formatted.h"
 
 namespace cloudscape::bench {
 namespace {
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 constexpr int label_width = 24;
 

@@ -3,15 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/machine.h"
 #include "bench/svg_plot.h"
 #include "bench/track_times.h"
 
 namespace cloudscape::bench {
-
-struct Machine {
-  std::string renderer, driver, execution;  // GL_RENDERER, GL_VERSION, "compute" or "fragment"
-  unsigned cores = 0;                       // that this process may use
-};
 
 // Tables 3.1 to 3.4 of the thesis, as far as their variants were measured, and the means of each section.
 std::string track_tables(const TrackTimes& track);

@@ -1,9 +1,7 @@
 // The comparison with the truth as a page: a row of pictures for each view.
-#include <cstdarg>
-#include <cstdio>
-
 #include "bench/truth_pictures.h"
 #include "bench/truth_report.h"
+#include "core/formatted.h"
 #include "core/version.h"
 
 namespace cloudscape::bench {
@@ -25,15 +23,6 @@ small { display: block; color: #444 }
 </style>
 )";
 
-[[gnu::format(printf, 1, 2)]] std::string print(const char* format, ...) {
-  char text[1000];
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
-
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text)
@@ -48,27 +37,28 @@ std::string image(const std::string& file, const std::string& about) {
 std::string target_cells(const ModelSummary& model) {
   std::string cells;
   for (const TruthTarget& target : truth_targets())
-    cells += print("<td class=\"%s\">%.3f</td>", target.met(model) ? "met" : "missed", target.value(model));
+    cells += formatted("<td class=\"%s\">%.3f</td>", target.met(model) ? "met" : "missed", target.value(model));
   return cells;
 }
 
 std::string cost_cells(const std::optional<TruthCost>& cost) {
-  return cost ? print("<td>%.1f</td><td>%.1f</td><td>%.1f</td>", cost->cpu_ms, cost->wall_ms, cost->sun_change_cpu_ms)
+  return cost ? formatted("<td>%.1f</td><td>%.1f</td><td>%.1f</td>", cost->cpu_ms, cost->wall_ms,
+                          cost->sun_change_cpu_ms)
               : "<td></td><td></td><td></td>";
 }
 
 std::string summary_row(const ModelSummary& model, bool is_default) {
-  return print("<tr><td>%s%s</td>", model.model.c_str(), is_default ? " (default)" : "") + target_cells(model) +
-         print("<td>%.1f %%</td><td>%.4f</td><td>%.1f</td><td>%.1f %%</td><td>%.1f %%</td>",
-               100 * model.relative_error_p95, model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error,
-               100 * model.tile_relative_error) +
+  return formatted("<tr><td>%s%s</td>", model.model.c_str(), is_default ? " (default)" : "") + target_cells(model) +
+         formatted("<td>%.1f %%</td><td>%.4f</td><td>%.1f</td><td>%.1f %%</td><td>%.1f %%</td>",
+                   100 * model.relative_error_p95, model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error,
+                   100 * model.tile_relative_error) +
          cost_cells(model.cost) + "</tr>\n";
 }
 
 std::string summary(const TruthResults& results) {
   std::string text = "<table class=\"figures\">\n<tr><th>model</th>";
   for (const TruthTarget& target : truth_targets())
-    text += print("<th>%s<br>at most %.2f</th>", target.name, target.limit);
+    text += formatted("<th>%s<br>at most %.2f</th>", target.name, target.limit);
   text +=
       "<th>error, p95</th><th>HDR-FLIP</th><th>PSNR, dB</th><th>error of the whole picture</th><th>error of 8x8 "
       "tiles</th>"
@@ -79,7 +69,7 @@ std::string summary(const TruthResults& results) {
 }
 
 std::string figures_of(const ModelResult& model) {
-  return print(
+  return formatted(
       "<small>error %.1f %% (p95 %.1f %%), ln ratio %.3f</small>"
       "<small>LDR-FLIP %.4f, HDR-FLIP %.4f, PSNR %.1f dB</small>"
       "<small>whole picture: error %.1f %%, ln ratio %.3f; tiles: error %.1f %%</small>",
@@ -90,8 +80,8 @@ std::string figures_of(const ModelResult& model) {
 std::string reference_cell(const ViewResult& view) {
   return "<td>" + image(picture_file(view.name, "reference"), view.name + ", reference") +
          image(flip_map_file(view.name, view.noise_floor.model), "LDR-FLIP of noise") +
-         print("<small>path-traced; clouds on %.0f %% of the picture, noise there %.1f %%. Noise alone:</small>",
-               100 * view.cloud_share, 100 * view.reference_noise) +
+         formatted("<small>path-traced; clouds on %.0f %% of the picture, noise there %.1f %%. Noise alone:</small>",
+                   100 * view.cloud_share, 100 * view.reference_noise) +
          figures_of(view.noise_floor) + "</td>\n";
 }
 
@@ -119,7 +109,7 @@ std::string gallery(const TruthResults& results) {
 
 std::string truth_html(const TruthResults& results, const Machine& machine) {
   return head +
-         print(
+         formatted(
              "<h1>How right is the light?</h1>\n<p>cloudscape %s on %s, %u cores. Pictures of %dx%d; references of %d "
              "paths a pixel; models at quality %s with %d samples. Errors are relative radiance errors where the "
              "reference met cloud, unless said otherwise. Below each picture its LDR-FLIP map: black 0, red, yellow, "

@@ -77,11 +77,7 @@ Json list_of(const Values& values) {
 std::string truth_json(const TruthResults& results, const Machine& machine) {
   const Json document{{"benchmark", "truth"},
                       {"program_version", version},
-                      {"machine",
-                       {{"renderer", machine.renderer},
-                        {"driver", machine.driver},
-                        {"pass_execution", machine.execution},
-                        {"cores", machine.cores}}},
+                      {"machine", json_of(machine)},
                       {"size_px", {results.size_px.width, results.size_px.height}},
                       {"reference_samples", results.reference_samples},
                       {"quality", name_of(results.quality)},

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "bench/track_report.h"
+#include "bench/machine.h"
 #include "bench/truth_results.h"
 
 namespace cloudscape::bench {

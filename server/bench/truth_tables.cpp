@@ -1,78 +1,68 @@
 // The comparison with the truth as text.
-#include <cstdarg>
-#include <cstdio>
-
 #include "bench/truth_report.h"
+#include "core/formatted.h"
 
 namespace cloudscape::bench {
 namespace {
 
-[[gnu::format(printf, 1, 2)]] std::string print(const char* format, ...) {
-  char line[600];
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  return line;
-}
-
 std::string row_of(const ModelResult& model) {
-  return print("  %-18s %7.1f%% %7.1f%% %8.3f %8.4f %8.4f %8.1f %7.1f%% %7.1f%%\n", model.model.c_str(),
-               100 * model.clouds.mean, 100 * model.clouds.p95, model.clouds.log_ratio, model.ldr_flip, model.hdr_flip,
-               model.psnr_db, 100 * model.whole.mean, 100 * model.tiles.mean);
+  return formatted("  %-18s %7.1f%% %7.1f%% %8.3f %8.4f %8.4f %8.1f %7.1f%% %7.1f%%\n", model.model.c_str(),
+                   100 * model.clouds.mean, 100 * model.clouds.p95, model.clouds.log_ratio, model.ldr_flip,
+                   model.hdr_flip, model.psnr_db, 100 * model.whole.mean, 100 * model.tiles.mean);
 }
 
 std::string view_table(const ViewResult& view) {
-  std::string text = print("\n%s: %s (clouds cover %.0f %%, the reference's own noise there %.1f %%)\n",
-                           view.name.c_str(), view.title.c_str(), 100 * view.cloud_share, 100 * view.reference_noise);
-  text += print("  %-18s %8s %8s %8s %8s %8s %8s %8s %8s\n", "", "error", "p95", "ln ratio", "LDRFLIP", "HDRFLIP",
-                "PSNR dB", "whole", "tiles");
+  std::string text =
+      formatted("\n%s: %s (clouds cover %.0f %%, the reference's own noise there %.1f %%)\n", view.name.c_str(),
+                view.title.c_str(), 100 * view.cloud_share, 100 * view.reference_noise);
+  text += formatted("  %-18s %8s %8s %8s %8s %8s %8s %8s %8s\n", "", "error", "p95", "ln ratio", "LDRFLIP", "HDRFLIP",
+                    "PSNR dB", "whole", "tiles");
   for (const ModelResult& model : view.models) text += row_of(model);
   return text + row_of(view.noise_floor);
 }
 
 std::string summary_table(std::vector<ModelSummary> models, const ModelSummary& noise_floor) {
-  std::string text = print("\nMeans over the views:\n  %-18s %8s %8s %9s %8s %8s %8s %8s %8s\n", "", "error", "p95",
-                           "|ln rat.|", "LDRFLIP", "HDRFLIP", "PSNR dB", "whole", "tiles");
+  std::string text = formatted("\nMeans over the views:\n  %-18s %8s %8s %9s %8s %8s %8s %8s %8s\n", "", "error", "p95",
+                               "|ln rat.|", "LDRFLIP", "HDRFLIP", "PSNR dB", "whole", "tiles");
   models.push_back(noise_floor);
   for (const ModelSummary& model : models)
-    text += print("  %-18s %7.1f%% %7.1f%% %9.3f %8.4f %8.4f %8.1f %7.1f%% %7.1f%%\n", model.model.c_str(),
-                  100 * model.relative_error, 100 * model.relative_error_p95, model.abs_log_ratio, model.ldr_flip,
-                  model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error, 100 * model.tile_relative_error);
+    text += formatted("  %-18s %7.1f%% %7.1f%% %9.3f %8.4f %8.4f %8.1f %7.1f%% %7.1f%%\n", model.model.c_str(),
+                      100 * model.relative_error, 100 * model.relative_error_p95, model.abs_log_ratio, model.ldr_flip,
+                      model.hdr_flip, model.psnr_db, 100 * model.whole_relative_error, 100 * model.tile_relative_error);
   return text;
 }
 
 std::string worst_table(const std::vector<ModelSummary>& models) {
-  std::string text = print("\nWorst view:\n  %-18s %-28s %-28s %s\n", "", "error", "|ln ratio|", "LDRFLIP");
+  std::string text = formatted("\nWorst view:\n  %-18s %-28s %-28s %s\n", "", "error", "|ln ratio|", "LDRFLIP");
   for (const ModelSummary& model : models)
-    text += print("  %-18s %6.1f%% %-20s %7.3f %-20s %7.4f %s\n", model.model.c_str(),
-                  100 * model.worst_relative_error.value, model.worst_relative_error.view.c_str(),
-                  model.worst_abs_log_ratio.value, model.worst_abs_log_ratio.view.c_str(), model.worst_ldr_flip.value,
-                  model.worst_ldr_flip.view.c_str());
+    text += formatted("  %-18s %6.1f%% %-20s %7.3f %-20s %7.4f %s\n", model.model.c_str(),
+                      100 * model.worst_relative_error.value, model.worst_relative_error.view.c_str(),
+                      model.worst_abs_log_ratio.value, model.worst_abs_log_ratio.view.c_str(),
+                      model.worst_ldr_flip.value, model.worst_ldr_flip.view.c_str());
   return text;
 }
 
 std::string cost_table(const TruthResults& results, const std::vector<ModelSummary>& models) {
   if (models.empty() || !models.front().cost) return "";
-  std::string text = print(
+  std::string text = formatted(
       "\nCost at %dx%d, quality interactive, one sample, mean over the views:\n"
       "  %-18s %12s %12s %18s\n",
       results.cost_size_px.width, results.cost_size_px.height, "", "CPU ms/frame", "wall ms/frame",
       "CPU ms/sun change");
   for (const ModelSummary& model : models)
     if (model.cost)
-      text += print("  %-18s %12.1f %13.1f %18.1f\n", model.model.c_str(), model.cost->cpu_ms, model.cost->wall_ms,
-                    model.cost->sun_change_cpu_ms);
+      text += formatted("  %-18s %12.1f %13.1f %18.1f\n", model.model.c_str(), model.cost->cpu_ms, model.cost->wall_ms,
+                        model.cost->sun_change_cpu_ms);
   return text;
 }
 
 std::string target_table(const TruthResults& results, const std::vector<ModelSummary>& models) {
   std::string text = "\nTargets:\n";
   for (const TruthTarget& target : truth_targets()) {
-    text += print("  %-30s at most %.2f:", target.name, target.limit);
+    text += formatted("  %-30s at most %.2f:", target.name, target.limit);
     for (const ModelSummary& model : models)
-      text += print("  %s%s %.3f %s", model.model.c_str(), model.model == results.default_model ? " (default)" : "",
-                    target.value(model), target.met(model) ? "met" : "MISSED");
+      text += formatted("  %s%s %.3f %s", model.model.c_str(), model.model == results.default_model ? " (default)" : "",
+                        target.value(model), target.met(model) ? "met" : "MISSED");
     text += "\n";
   }
   return text;
@@ -81,7 +71,7 @@ std::string target_table(const TruthResults& results, const std::vector<ModelSum
 }  // namespace
 
 std::string truth_tables(const TruthResults& results) {
-  std::string text = print(
+  std::string text = formatted(
       "%zu views of %dx%d, reference of %d samples a pixel, models at quality %s with %d samples.\n"
       "error, p95: relative radiance error where the reference met cloud; ln ratio: of the mean radiances there; "
       "whole: error of the whole picture; tiles: of squares of 8x8 pixels, whose noise is an eighth; noise: what a "

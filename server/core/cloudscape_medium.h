@@ -83,8 +83,9 @@ struct LightModel {
     visit("octave_scattering", self.octave_scattering, Limits{0, 1}, "Contribution ratio of neighbouring octaves.");
     visit("octave_extinction", self.octave_extinction, Limits{0, 1}, "Extinction ratio of neighbouring octaves.");
     visit("octave_asymmetry", self.octave_asymmetry, Limits{0, 1}, "Asymmetry ratio of neighbouring octaves.");
-    visit("volume_resolution", self.volume_resolution, Limits{8, 192, true},
-          "Points of the in-scatter-volume along a side of the tile; twice as many take eight times as long to solve.");
+    visit("volume_resolution", self.volume_resolution, Limits{8, 64, true},
+          "Points of the in-scatter-volume along a side of the tile, 64 at most; half as many take an eighth of the "
+          "time to solve.");
   }
 };
 

@@ -27,6 +27,10 @@ std::array<double, 3> mixing_weights(const Cloudscape& sky);
 // the file or the document puts it. Throws UnusableFile if that box is none.
 FrameRequest as_marched(const FrameRequest& request, const bake::BakedCloudscape& baked);
 
+// As seen by nobody: whatever does not depend on the camera is as in a frame at time 0. `below`: the point at sea level
+// that the device's positions are relative to.
+FrameRequest seen_by_nobody(const std::shared_ptr<const Cloudscape>& cloudscape, const glm::dvec3& below);
+
 // How fast the slow change of coverage moves the tile (tiles a metre) and the threshold (a metre), at most.
 struct LandSlopes {
   double shift_per_m = 0, threshold_per_m = 0;

@@ -31,10 +31,7 @@ struct Octaves {
   void set(int octave, double value) { (octave < 4 ? low : high)[octave % 4] = static_cast<float>(value); }
 };
 
-void set_light_model(CloudBlock& block, LightModel light) {
-  // tuned: light that is still within the forward peak goes on by a function three quarters as narrow.
-  if (light.kind == LightModelKind::in_scatter_volume)
-    light.octaves = 2, light.octave_scattering = 1, light.octave_asymmetry = 0.75;
+void set_light_model(CloudBlock& block, const LightModel& light) {
   Octaves weight, extinction, asymmetry;
   for (int octave = 0; octave < light.octaves; ++octave) {
     weight.set(octave, std::pow(light.octave_scattering, octave));
@@ -121,12 +118,14 @@ double light_length_m(const Volume& volume, const March& march) {
   return march.light_length_m.value_or(volume.grid.tiling ? 20 * volume.size_m.z : 1e7);
 }
 
-// tuned: as far as the grid of the in-scatter volume is too coarse for the shadows on a cloud's surface; beyond it, it
-// is better than a few samples.
-double near_light_m(const Cloudscape& sky, const March& march) {
-  const double point_m = std::max(sky.volume.size_m.x, sky.volume.size_m.y) / sky.medium.light_model.volume_resolution;
-  const bool from_formula = sky.volume.kind != VolumeKind::noise && !is_from_file(sky.volume.kind);
-  return from_formula ? 1e7 : std::min(light_length_m(sky.volume, march), 6 * point_m);
+// tuned: the in-scatter volume knows what is farther than some of its points better than a few samples do, and what is
+// nearer worse. Formulas need no samples.
+double marched_light_m(const Cloudscape& sky, const March& march) {
+  const double length_m = light_length_m(sky.volume, march);
+  const bool textured = sky.volume.kind == VolumeKind::noise || is_from_file(sky.volume.kind);
+  const LightModel& light = sky.medium.light_model;
+  if (!textured || light.kind != LightModelKind::in_scatter_volume) return length_m;
+  return std::min(length_m, 6 * std::max(sky.volume.size_m.x, sky.volume.size_m.y) / light.volume_resolution);
 }
 
 // A grid may be smaller than the quality's steps, and far away: half of the steps take a ray through it from corner to
@@ -152,8 +151,7 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
   block.adaptive = {march.adaptive_start_m, march.adaptive_step ? march.adaptive_growth : 0.0, march.random_first_step,
                     march.lighting};
   const glm::dvec2 altitudes_m = textured ? cloud_altitudes_m(sky, baked) : glm::dvec2(0);
-  block.volume.w = static_cast<float>(near_light_m(sky, march));
-  block.march = {light_length_m(sky.volume, march), endless ? march.max_distance_m : 1e8, altitudes_m.x, altitudes_m.y};
+  block.march = {marched_light_m(sky, march), endless ? march.max_distance_m : 1e8, altitudes_m.x, altitudes_m.y};
   const double large_m = textured ? large_step_m(march, longest_large_step_m(sky, baked)) : 0.0;
   const double period_m = 4 * sky.shape.coverage_variation.wavelength_m;
   // How much lower the threshold can be half a large step away.

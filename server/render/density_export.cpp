@@ -14,16 +14,6 @@ namespace {
 // tuned: 4 GiB as floats, which OpenVDB keeps where they are not 0.
 constexpr double most_voxels = 1 << 30;
 
-// As seen by nobody: whatever does not depend on the camera is as in a frame at time 0. `below`: the point at sea level
-// that the device's positions are relative to.
-FrameRequest request_of(const Cloudscape& cloudscape, const glm::dvec3& below) {
-  FrameRequest request;
-  request.cloudscape = std::make_shared<const Cloudscape>(cloudscape);
-  request.pose.position_m = below;
-  request.quality = render_quality(Quality::high);
-  return request;
-}
-
 }  // namespace
 
 DensityExport::DensityExport(gpu::ShaderLibrary& shaders, const Cloudscape& cloudscape,
@@ -34,7 +24,8 @@ DensityExport::DensityExport(gpu::ShaderLibrary& shaders, const Cloudscape& clou
       pass_(shaders, "render/density.comp"),
       cloud_("cloud"),
       block_("density") {
-  const Cloudscape sky = *as_marched(request_of(cloudscape, glm::dvec3(0)), baked).cloudscape;
+  const auto shared = std::make_shared<const Cloudscape>(cloudscape);
+  const Cloudscape sky = *as_marched(seen_by_nobody(shared, glm::dvec3(0)), baked).cloudscape;
   const glm::dvec3 size_m = sky.volume.size_m;
   low_m_ = sky.volume.origin_m;
   voxel_m_ = std::max({size_m.x, size_m.y, size_m.z}) / resolution;
@@ -44,7 +35,7 @@ DensityExport::DensityExport(gpu::ShaderLibrary& shaders, const Cloudscape& clou
                        "asks for " + std::to_string(count_of(size_) >> 20) + " million voxels: 1024 million at most");
   target_ = gpu::Texture(gpu::Format::r32f, size_.x, size_.y, slab, "density");
   const glm::dvec3 below(low_m_.x + 0.5 * size_m.x, low_m_.y + 0.5 * size_m.y, 0);
-  CloudBlock block = cloud_block(request_of(cloudscape, below), baked);
+  CloudBlock block = cloud_block(seen_by_nobody(shared, below), baked);
   block.volume.y = 0;  // flat
   extinction_per_m_ = sky.medium.extinction_per_m;
   cloud_.upload(block);

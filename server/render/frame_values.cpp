@@ -39,6 +39,14 @@ CameraAxes camera_axes(const CameraPose& pose) {
           forward};
 }
 
+FrameRequest seen_by_nobody(const std::shared_ptr<const Cloudscape>& cloudscape, const glm::dvec3& below) {
+  FrameRequest request;
+  request.cloudscape = cloudscape;
+  request.pose.position_m = below;
+  request.quality = render_quality(Quality::high);
+  return request;
+}
+
 FrameBlock frame_block(const FrameRequest& request, int sample) {
   const Cloudscape& sky = *request.cloudscape;
   const CameraAxes axes = camera_axes(request.pose);

@@ -10,7 +10,7 @@ namespace {
 
 // tuned: points upwards for each one across, by distance; light changes faster upwards. More take longer to solve.
 constexpr double points_upwards = 1.5;
-constexpr int fewest_layers = 8, most_layers = 64;
+constexpr int fewest_layers = 8, most_layers = 48;
 constexpr int varied_levels = 3;  // tuned: light at the thresholds between is a mixture; more take longer to solve
 // tuned against the path-traced reference: how much of the difference between the fine optical depth and the grid's is
 // seen in the light of the other orders.
@@ -83,7 +83,8 @@ void set_in_scatter(CloudBlock& block, const InScatterPlan& plan) {
 
 void set_mean_cosine(CloudBlock& block, double mean_cosine) {
   block.in_scatter_offset.w = static_cast<float>(mean_cosine);
-  block.in_scatter_levels.z = static_cast<float>(bake::scatter_moments(mean_cosine).forward_share);
+  const double albedo = block.medium.x > 0 ? double(block.medium.y) / double(block.medium.x) : 0;
+  block.in_scatter_levels.z = static_cast<float>(albedo * bake::scatter_moments(mean_cosine).forward_share);
 }
 
 }  // namespace cloudscape::render

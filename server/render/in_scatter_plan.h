@@ -25,7 +25,7 @@ InScatterPlan in_scatter_plan(const Cloudscape& marched, double lowest, double h
 double mean_cosine(const Phase& phase, double mie_asymmetry_g);
 
 void set_in_scatter(CloudBlock& block, const InScatterPlan& plan);
-// Of a block whose document's phase function has this mean cosine.
+// Of a block that has its medium, whose phase function has this mean cosine.
 void set_mean_cosine(CloudBlock& block, double mean_cosine);
 
 }  // namespace cloudscape::render

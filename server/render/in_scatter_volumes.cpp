@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
+#include <thread>
 
 #include "core/content_hash.h"
 #include "render/block_values.h"
@@ -12,8 +13,9 @@ namespace {
 
 using gpu::Filter, gpu::Format, gpu::Texture, gpu::Wrap;
 
-// tuned: what the streams of a server look at together; a volume takes some megabytes.
-constexpr std::size_t most_clouds = 4, most_volumes = 8;
+// tuned: what the streams of a server look at together.
+constexpr std::size_t most_clouds = 4, most_questions = 8, most_volume_bytes = 128 << 20;
+constexpr std::size_t most_jobs = 2;  // tuned: each takes a core, and up to 200 MB
 // tuned: a viewer asks for its frame many times a second. Who has not asked for so long has gone, or moved the sun on.
 constexpr auto forgotten_after = std::chrono::seconds(2);
 constexpr auto longest_wait = std::chrono::milliseconds(5);
@@ -30,39 +32,44 @@ std::string bytes_of(std::span<const T> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
-// What the light of the clouds depends on beside their light.
-std::string clouds_key(const InScatterVolumes::Wanted& wanted) {
-  Cloudscape sky = *wanted.request.cloudscape;
+// What the light in the clouds depends on beside the light that comes to them.
+std::string clouds_key(const Cloudscape& marched, const bake::BakedCloudscape& baked, double mean_cosine) {
+  constexpr const char* version = "2";  // of the solver and the grid: raise it when they change what they make
+  Cloudscape sky = marched;
   sky.title = sky.description = "";
   sky.sun = {}, sky.moon = {}, sky.sky = {}, sky.ground = {}, sky.wind = {}, sky.view = {};
   sky.medium.ambient = 1;
-  constexpr const char* version = "1";  // of the solver and the grid: raise it when they change what they make
-  return version + content_hash(sky) + bake::bake_key(wanted.baked.texels().recipe) +
-         std::to_string(wanted.mean_cosine);
+  return version + content_hash(sky) + bake::bake_key(baked.texels().recipe) + std::to_string(mean_cosine);
 }
 
-// From the middle of the cloud's altitudes: the sun along them, and what is around (shaders/render/sky_cloud_sun.glsl,
-// sky_light.glsl).
-bake::InScatterLight light_of(const InScatterVolumes::Wanted& wanted, const InScatterPlan& plan) {
+// The sun along the middle of the table of render/sky_cloud_sun.glsl, at a place 0..1 of the volume's height.
+glm::vec3 sun_at(const std::vector<glm::vec4>& table, const Texture& texture, double place) {
+  const int width = texture.width(), height = texture.height();
+  const double at = std::clamp(place, 0.0, 1.0) * (height - 1);
+  const int row = std::min(static_cast<int>(at), height - 2);
+  const auto middle = [&](int r) {  // lies between two texels
+    const auto texel = static_cast<std::size_t>(r * width + width / 2);
+    return 0.5F * (glm::vec3(table[texel - 1]) + glm::vec3(table[texel]));
+  };
+  return glm::mix(middle(row), middle(row + 1), static_cast<float>(at - row));
+}
+
+bake::InScatterLight light_of(const Cloudscape& sky, const SkyTables::Lights& lights, const InScatterPlan& plan) {
   bake::InScatterLight light;
-  const Cloudscape& sky = *wanted.request.cloudscape;
   light.sun_direction = direction_of_light(sky);
-  const std::vector<glm::vec4> sun = texels_of(wanted.lights.cloud_sun), around = texels_of(wanted.lights.light);
-  const int width = wanted.lights.cloud_sun.width(), height = wanted.lights.cloud_sun.height();
-  for (int layer = 0; layer < plan.size.z; ++layer) {
-    const double place = std::clamp(plan.first.z + layer * plan.spacing.z, 0.0, 1.0) * (height - 1);
-    const int row = std::min(static_cast<int>(place), height - 2);
-    const auto at = [&](int r) {  // the middle lies between two texels
-      const auto texel = static_cast<std::size_t>(r * width + width / 2);
-      return 0.5F * (glm::vec3(sun[texel - 1]) + glm::vec3(sun[texel]));
-    };
-    const float share = static_cast<float>(place) - static_cast<float>(row);
-    light.sun_irradiance.push_back(at(row) * (1 - share) + at(row + 1) * share);
+  const std::vector<glm::vec4> sun = texels_of(lights.cloud_sun), around = texels_of(lights.light);
+  for (int layer = 0; layer < plan.size.z; ++layer)
+    light.sun_irradiance.push_back(sun_at(sun, lights.cloud_sun, plan.first.z + layer * plan.spacing.z));
+  for (std::size_t part = 0; part < 6; ++part) {
+    const std::size_t entry = part == 5 ? 8 : 2 + part;  // shaders/render/sky_light.glsl
+    light.surroundings[part] = static_cast<float>(sky.medium.ambient) * glm::vec3(around[entry]);
   }
-  const auto scale = static_cast<float>(sky.medium.ambient);
-  for (std::size_t part = 0; part < 6; ++part)
-    light.surroundings[part] = scale * glm::vec3(around[part == 5 ? 8 : 2 + part]);
   return light;
+}
+
+std::string light_key(const bake::InScatterLight& light) {
+  return bytes_of(std::span(&light.sun_direction, 1)) + bytes_of(std::span<const glm::vec3>(light.sun_irradiance)) +
+         bytes_of(std::span<const glm::vec3>(light.surroundings));
 }
 
 Texture volume_texture(const glm::ivec3& size, bool periodic, const std::vector<glm::vec4>& texels, const char* label) {
@@ -73,11 +80,12 @@ Texture volume_texture(const glm::ivec3& size, bool periodic, const std::vector<
   return texture;
 }
 
-std::size_t texels_of(const InScatterPlan& plan) {
+std::size_t count_of(const InScatterPlan& plan) {
   return static_cast<std::size_t>(plan.size.x) * static_cast<std::size_t>(plan.size.y) *
          static_cast<std::size_t>(plan.size.z) * plan.thresholds.size();
 }
 
+// On a thread of its own.
 std::optional<bake::LightTexels> solve(const std::vector<bake::InScatterProblem>& levels, const std::stop_token& stop) {
   std::vector<bake::InScatterSolution> solutions;
   for (const bake::InScatterProblem& level : levels) {
@@ -88,45 +96,23 @@ std::optional<bake::LightTexels> solve(const std::vector<bake::InScatterProblem>
   return bake::light_texels(solutions);
 }
 
+template <class List>
+void keep_first(List& list, std::size_t most) {
+  while (list.size() > most) list.pop_back();
+}
+
 }  // namespace
 
 InScatterVolumes::InScatterVolumes(gpu::ShaderLibrary& shaders, bake::LightCache cache)
-    : extinction_(shaders, "render/in_scatter_extinction.comp"),
-      cloud_("cloud"),
-      block_("in-scatter grid"),
-      cache_(std::move(cache)) {}
+    : extinction_(shaders), cache_(std::move(cache)) {}
 
 InScatterVolumes::~InScatterVolumes() {
   for (Job& job : jobs_) job.stop.request_stop();
 }
 
-bake::InScatterGrid InScatterVolumes::grid_of(const Wanted& wanted, const InScatterPlan& plan, double threshold) {
-  const Volume& volume = wanted.request.cloudscape->volume;
-  FrameRequest neutral;
-  neutral.cloudscape = wanted.request.cloudscape;
-  neutral.quality = render_quality(Quality::high);
-  const glm::dvec3 below(volume.origin_m.x + 0.5 * volume.size_m.x, volume.origin_m.y + 0.5 * volume.size_m.y, 0);
-  neutral.pose.position_m = below;
-  CloudBlock cloud = cloud_block(neutral, wanted.baked);
-  cloud.volume.y = 0;                                                // flat
-  cloud.shape.x = static_cast<float>(threshold), cloud.shape.z = 0;  // the same everywhere
-  cloud_.upload(cloud);
-  cloud_.bind();
-  const glm::dvec3 first = volume.origin_m + plan.first * volume.size_m - below, spacing = plan.spacing * volume.size_m;
-  block_.upload({vec4(first, 0), vec4(spacing, 0), ivec4(plan.size, 0)});
-  block_.bind();
-  Texture target(Format::r32f, plan.size.x, plan.size.y, plan.size.z, "extinction");
-  const gpu::Binding textures[] = {
-      {0, &wanted.baked.shape()}, {1, &wanted.baked.detail()}, {2, &wanted.baked.variation()}, {4, &wanted.structure}};
-  extinction_.run(target, 0, plan.size.z, textures);
-  const std::vector<std::uint8_t> bytes = target.download();
-  bake::InScatterGrid grid{plan.size, spacing, plan.periodic, std::vector<float>(bytes.size() / sizeof(float))};
-  std::memcpy(grid.extinction_per_m.data(), bytes.data(), bytes.size());
-  return grid;
-}
-
 std::shared_ptr<InScatterVolumes::Clouds> InScatterVolumes::clouds_of(const Wanted& wanted) {
-  const std::string key = clouds_key(wanted);
+  const std::shared_ptr<const Cloudscape> marched = as_marched(wanted.request, *wanted.baked).cloudscape;
+  const std::string key = clouds_key(*marched, *wanted.baked, wanted.mean_cosine);
   const auto found = std::find_if(clouds_.begin(), clouds_.end(), [&](const auto& each) { return each->key == key; });
   if (found != clouds_.end()) {
     clouds_.splice(clouds_.begin(), clouds_, found);
@@ -134,26 +120,53 @@ std::shared_ptr<InScatterVolumes::Clouds> InScatterVolumes::clouds_of(const Want
   }
   auto clouds = std::make_shared<Clouds>();
   clouds->key = key;
-  clouds->plan = in_scatter_plan_of(*wanted.request.cloudscape, wanted.baked);
+  clouds->plan = in_scatter_plan_of(*marched, *wanted.baked);
   for (const double threshold : clouds->plan.thresholds)
-    clouds->grids.push_back(grid_of(wanted, clouds->plan, threshold));
+    clouds->grids.push_back(extinction_.grid_of(marched, *wanted.baked, wanted.structure, clouds->plan, threshold));
   clouds_.push_front(clouds);
-  if (clouds_.size() > most_clouds) clouds_.pop_back();
+  keep_first(clouds_, most_clouds);
   return clouds;
 }
 
-InScatterVolumes::Job& InScatterVolumes::job_of(const std::string& key, const std::shared_ptr<Clouds>& clouds,
-                                                const Wanted& wanted, const bake::InScatterLight& light) {
+const InScatterVolumes::Question& InScatterVolumes::question_of(const Wanted& wanted) {
+  const auto found = std::find_if(questions_.begin(), questions_.end(), [&](const Question& each) {
+    return each.cloudscape == wanted.request.cloudscape && each.baked.lock() == wanted.baked &&
+           each.lights.lock() == wanted.lights && each.mean_cosine == wanted.mean_cosine;
+  });
+  if (found != questions_.end()) {
+    questions_.splice(questions_.begin(), questions_, found);
+    return questions_.front();
+  }
+  Question question{
+      wanted.request.cloudscape, wanted.baked, wanted.lights, wanted.mean_cosine, clouds_of(wanted), {}, {}};
+  question.light = light_of(*question.cloudscape, *wanted.lights, question.clouds->plan);
+  question.key = sha256_hex(question.clouds->key + light_key(question.light));
+  questions_.push_front(std::move(question));
+  keep_first(questions_, most_questions);
+  return questions_.front();
+}
+
+InScatterVolumes::Job* InScatterVolumes::job_of(const std::string& key) {
   const auto found = std::find_if(jobs_.begin(), jobs_.end(), [&](const Job& each) { return each.key == key; });
-  if (found != jobs_.end()) return *found;
+  return found == jobs_.end() ? nullptr : &*found;
+}
+
+// nullptr: enough is being solved.
+InScatterVolumes::Job* InScatterVolumes::start(const Question& question) {
+  stop_the_forgotten();
+  if (jobs_.size() >= most_jobs) return nullptr;
   std::vector<bake::InScatterProblem> levels;
-  for (const bake::InScatterGrid& grid : clouds->grids)
-    levels.push_back({grid, bake::scatter_moments(wanted.mean_cosine),
-                      wanted.request.cloudscape->medium.single_scattering_albedo, light});
-  Job& job = jobs_.emplace_back(Job{key, clouds, {}, {}, Clock::now()});
-  job.result = std::async(std::launch::async,
-                          [levels = std::move(levels), stop = job.stop.get_token()] { return solve(levels, stop); });
-  return job;
+  for (const bake::InScatterGrid& grid : question.clouds->grids)
+    levels.push_back({grid, bake::scatter_moments(question.mean_cosine),
+                      question.cloudscape->medium.single_scattering_albedo, question.light});
+  Job& job = jobs_.emplace_back(Job{question.key, question.clouds, {}, {}, Clock::now()});
+  job.result = std::async(std::launch::async, [levels = std::move(levels), stop = job.stop.get_token(), cache = cache_,
+                                               key = question.key] {
+    auto light = solve(levels, stop);
+    if (light) cache.store(key, *light);
+    return light;
+  });
+  return &job;
 }
 
 std::shared_ptr<const InScatterVolume> InScatterVolumes::kept(const std::string& key) {
@@ -163,68 +176,62 @@ std::shared_ptr<const InScatterVolume> InScatterVolumes::kept(const std::string&
   return volumes_.front().volume;
 }
 
-std::shared_ptr<const InScatterVolume> InScatterVolumes::keep(const std::string& key, Clouds& clouds,
-                                                              const bake::LightTexels& light) {
+void InScatterVolumes::keep(const std::string& key, Clouds& clouds, const bake::LightTexels& light) {
   const InScatterPlan& plan = clouds.plan;
   const glm::ivec3 size(plan.size.x, plan.size.y, plan.size.z * static_cast<int>(plan.thresholds.size()));
   auto volume = std::make_shared<InScatterVolume>();
   volume->mean = volume_texture(size, plan.periodic, light.mean, "in-scatter volume");
   volume->directed = volume_texture(size, plan.periodic, light.directed, "in-scatter volume's directions");
   volumes_.push_front({key, volume});
-  if (volumes_.size() > most_volumes) volumes_.pop_back();
-  return clouds.newest = volume;
+  keep_first(volumes_, std::max(std::size_t{1}, most_volume_bytes / volume->bytes()));
+  clouds.newest = volume;
 }
 
 void InScatterVolumes::take_results() {
-  for (auto job = jobs_.begin(); job != jobs_.end();) {
-    if (job->result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      ++job;
-      continue;
-    }
-    if (const std::optional<bake::LightTexels> light = job->result.get()) {
-      ++solved_;
-      keep(job->key, *job->clouds, *light);
-      cache_.store(job->key, *light);
-    }
-    job = jobs_.erase(job);
-  }
-}
-
-void InScatterVolumes::drop_the_forgotten() {
-  jobs_.remove_if([now = Clock::now()](Job& job) {
-    if (now - job.asked < forgotten_after) return false;
-    job.stop.request_stop();  // its end is waited for: an iteration
+  jobs_.remove_if([this](Job& job) {
+    if (job.result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    if (const std::optional<bake::LightTexels> light = job.result.get()) keep(job.key, *job.clouds, *light);
     return true;
   });
 }
 
+// They end by themselves soon, and are then taken off the list.
+void InScatterVolumes::stop_the_forgotten() {
+  for (Job& job : jobs_)
+    if (Clock::now() - job.asked > forgotten_after) job.stop.request_stop();
+}
+
 std::shared_ptr<const InScatterVolume> InScatterVolumes::find(const Wanted& wanted) {
   take_results();
-  const std::shared_ptr<Clouds> clouds = clouds_of(wanted);
-  const bake::InScatterLight light = light_of(wanted, clouds->plan);
-  const std::string key = sha256_hex(clouds->key + bytes_of(std::span(&light.sun_direction, 1)) +
-                                     bytes_of(std::span<const glm::vec3>(light.sun_irradiance)) +
-                                     bytes_of(std::span<const glm::vec3>(light.surroundings)));
-  if (auto volume = kept(key)) return clouds->newest = volume;
-  // Light that may lag is solved one sun after the other, each to its end.
-  if (wanted.request.light_may_lag && clouds->newest)
-    for (Job& job : jobs_)
-      if (job.clouds == clouds) {
-        job.asked = Clock::now();
-        return clouds->newest;
+  const Question& question = question_of(wanted);
+  Clouds& clouds = *question.clouds;
+  if (auto volume = kept(question.key)) return clouds.newest = volume;
+  const bool may_lag = wanted.request.light_may_lag && clouds.newest;
+  Job* job = job_of(question.key);
+  if (!job) {
+    // Light that may lag is solved one sun after the other, each to its end.
+    for (Job& other : jobs_)
+      if (may_lag && other.clouds == question.clouds) job = &other;
+    if (!job) {
+      if (const auto light = cache_.load(question.key, count_of(clouds.plan))) {
+        keep(question.key, clouds, *light);
+        return clouds.newest;
       }
-  drop_the_forgotten();
-  if (const auto light_on_disk = cache_.load(key, texels_of(clouds->plan))) return keep(key, *clouds, *light_on_disk);
-  Job& job = job_of(key, clouds, wanted, light);
-  job.asked = Clock::now();
-  if (wanted.request.light_may_lag && clouds->newest) return clouds->newest;
-  if (job.result.wait_for(longest_wait) == std::future_status::ready) take_results();
-  return kept(key);
+      job = start(question);
+    }
+  }
+  if (job) job->asked = Clock::now();
+  if (may_lag) return clouds.newest;
+  if (!job)
+    std::this_thread::sleep_for(longest_wait);
+  else if (job->result.wait_for(longest_wait) == std::future_status::ready)
+    take_results();
+  return kept(question.key);
 }
 
 void InScatterVolumes::reload(gpu::ShaderLibrary& shaders) {
-  extinction_ = gpu::VolumePass(shaders, "render/in_scatter_extinction.comp");
-  clouds_.clear(), volumes_.clear();
+  extinction_ = InScatterExtinction(shaders);
+  questions_.clear(), clouds_.clear(), volumes_.clear();
 }
 
 }  // namespace cloudscape::render

@@ -11,15 +11,14 @@
 #include "bake/light_cache.h"
 #include "bake/structure.h"
 #include "core/frame.h"
-#include "gpu/pass.h"
-#include "render/blocks.h"
-#include "render/in_scatter_plan.h"
+#include "render/in_scatter_extinction.h"
 #include "render/sky_tables.h"
 
 namespace cloudscape::render {
 
 struct InScatterVolume {
   gpu::Texture mean, directed;  // shaders/render/in_scatter.glsl
+  std::size_t bytes() const { return mean.bytes() + directed.bytes(); }
 };
 
 // On the thread of the context.
@@ -31,16 +30,16 @@ class InScatterVolumes {
   InScatterVolumes& operator=(const InScatterVolumes&) = delete;
 
   struct Wanted {
-    const FrameRequest& request;  // as marched
-    const bake::BakedCloudscape& baked;
+    const FrameRequest& request;
+    std::shared_ptr<const bake::BakedCloudscape> baked;
     const gpu::Texture& structure;
-    const SkyTables::Lights& lights;
+    std::shared_ptr<const SkyTables::Lights> lights;
     double mean_cosine = 0;
   };
   // The light of this sky in these clouds; of a request whose light may lag the newest there is, while this is being
-  // solved. nullptr: it is being solved; ask again. Waits some milliseconds at most.
+  // solved. nullptr: it is being solved; ask again. Waits some milliseconds at most. Asking again for the same objects
+  // costs nothing. Binds other blocks.
   std::shared_ptr<const InScatterVolume> find(const Wanted& wanted);
-  int solved() const { return solved_; }  // volumes so far
   void reload(gpu::ShaderLibrary& shaders);
 
  private:
@@ -50,6 +49,15 @@ class InScatterVolumes {
     InScatterPlan plan;
     std::vector<bake::InScatterGrid> grids;         // by level
     std::shared_ptr<const InScatterVolume> newest;  // of any light
+  };
+  struct Question {  // what was asked for, and what that means
+    std::shared_ptr<const Cloudscape> cloudscape;
+    std::weak_ptr<const bake::BakedCloudscape> baked;
+    std::weak_ptr<const SkyTables::Lights> lights;
+    double mean_cosine = 0;
+    std::shared_ptr<Clouds> clouds;
+    bake::InScatterLight light;
+    std::string key;
   };
   struct Job {
     std::string key;
@@ -62,23 +70,21 @@ class InScatterVolumes {
     std::string key;
     std::shared_ptr<const InScatterVolume> volume;
   };
+  const Question& question_of(const Wanted& wanted);
   std::shared_ptr<Clouds> clouds_of(const Wanted& wanted);
-  bake::InScatterGrid grid_of(const Wanted& wanted, const InScatterPlan& plan, double threshold);
   std::shared_ptr<const InScatterVolume> kept(const std::string& key);
-  std::shared_ptr<const InScatterVolume> keep(const std::string& key, Clouds& clouds, const bake::LightTexels& light);
+  void keep(const std::string& key, Clouds& clouds, const bake::LightTexels& light);
   void take_results();
-  void drop_the_forgotten();
-  Job& job_of(const std::string& key, const std::shared_ptr<Clouds>& clouds, const Wanted& wanted,
-              const bake::InScatterLight& light);
+  void stop_the_forgotten();
+  Job* job_of(const std::string& key);
+  Job* start(const Question& question);
 
-  gpu::VolumePass extinction_;
-  gpu::UniformBlock<CloudBlock> cloud_;
-  gpu::UniformBlock<InScatterBlock> block_;
+  InScatterExtinction extinction_;
   bake::LightCache cache_;
-  std::list<std::shared_ptr<Clouds>> clouds_;  // most recently used first
+  std::list<Question> questions_;              // most recently asked first
+  std::list<std::shared_ptr<Clouds>> clouds_;  // the same
   std::list<Kept> volumes_;                    // the same
   std::list<Job> jobs_;
-  int solved_ = 0;
 };
 
 }  // namespace cloudscape::render

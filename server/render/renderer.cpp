@@ -113,10 +113,9 @@ bool Renderer::find_in_scatter(RenderJob& job) {
   const Cloudscape& sky = *job.request.cloudscape;
   if (job.in_scatter || sky.medium.light_model.kind != LightModelKind::in_scatter_volume) return true;
   const SkyTables::Set tables = bind_blocks(job, job.sample);
-  const FrameRequest marched = as_marched(job.request, *job.baked);
+  const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(sky));
   const double g = mean_cosine(sky.medium.phase, job.phase ? job.phase->mean_asymmetry_g : 0);
-  job.in_scatter = in_scatter_.find(
-      {marched, *job.baked, structures_.of(*job.baked, mixing_weights(*marched.cloudscape)), *tables.lights, g});
+  job.in_scatter = in_scatter_.find({job.request, job.baked, structure, tables.lights, g});
   return job.in_scatter != nullptr;
 }
 

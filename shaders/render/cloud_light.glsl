@@ -20,13 +20,12 @@ float light_distance_m(float begin_m, float end_m, float i, float jitter) {
   return mix(begin_m, end_m, share);
 }
 
-// Optical depth from p towards the sun, as far as `length_m`. Steps grow with the square of their number: near occluders matter most. `jitter` (0..1)
-// places the samples in their steps: what few samples miss becomes noise, which averages out, and not contours. `land` is that of
-// p: it hardly changes over the way to the sun.
-float sun_optical_depth(vec3 p, Land land, float length_m, float jitter) {
+// Optical depth from p towards the sun along `path`, as far as the light is marched. Steps grow with the square of their number: near
+// occluders matter most. `jitter` (0..1) places the samples in their steps: what few samples miss becomes noise, which averages out,
+// and not contours. `land` is that of p: it hardly changes over the way to the sun.
+float near_optical_depth(vec3 p, Stretch path, Land land, float jitter) {
   vec3 sun = frame.light_direction.xyz;
-  Stretch path = medium_stretch(p, sun);
-  float end_m = min(path.end, length_m);
+  float end_m = min(path.end, cloud.march.x);
   if (end_m <= path.begin) return 0.0;
   if (!is_textured() && volume_kind() != volume_gaussian)
     return cloud.medium.x * (path.end - path.begin);
@@ -51,10 +50,23 @@ float sun_optical_depth(vec3 p, Land land, float length_m, float jitter) {
   return sum_m * (end_m - path.begin) * cloud.medium.x / (steps * steps);
 }
 
+bool light_from_grid() { return int(cloud.phase.w) == light_in_scatter_volume; }
+
+// All of it, where the in-scatter volume knows what stands farther away.
+float sun_optical_depth(vec3 p, Land land, float jitter) {
+  vec3 sun = frame.light_direction.xyz;
+  Stretch path = medium_stretch(p, sun);
+  float depth = near_optical_depth(p, path, land, jitter);
+  float far_m = max(cloud.march.x, path.begin);
+  if (light_from_grid() && path.end > far_m) depth += far_optical_depth(in_scatter_place(p + far_m * sun, land));
+  return depth;
+}
+
 // What stays the same along a view ray: phase values of the sun, by octave, and the colours of the light.
 struct RayLight {
   vec3 phase;                      // of the first order, by colour
   vec4 octaves_low, octaves_high;  // of the others: weight times phase
+  float little;                    // of light that was scattered but little, for the in-scatter volume
   vec3 above, beside, below;       // of sky and ground, as far as it is scattered towards the camera
 };
 
@@ -80,6 +92,8 @@ RayLight ray_light(vec3 direction) {
   float cos_theta = dot(direction, frame.light_direction.xyz);
   bool table = int(cloud.medium.w) == phase_mie;
   light.phase = table ? mie_phase(direction, frame.light_direction.xyz) : vec3(octave_phase(cos_theta, 1.0));
+  // Light that was scattered once goes on by a function of the square of its asymmetry. tuned: by one for 0.85 to 0.87.
+  light.little = octave_phase(cos_theta, 0.87);
   light.octaves_low = vec4(0.0, cloud.octave_weight_low.yzw) * octave_phases(cos_theta, cloud.octave_asymmetry_low);
   light.octaves_high = vec4(0.0);
   if (cloud.octave_weight_high.x > 0.0)
@@ -128,31 +142,25 @@ vec3 ambient(RayLight light, float h) {
 // All light scattered towards the camera at p, where the sun's irradiance is `sun`: the first order by the phase function; light that
 // was scattered but little, and so is still about the sun, by a broader one; and all else from the grid, shaded by how much deeper in
 // the cloud the point lies than the grid knows.
-vec3 light_from_volume(RayLight light, vec3 p, vec3 direction, Land land, vec3 sun, float jitter) {
+vec3 light_from_volume(RayLight light, vec3 p, vec3 direction, Land land, vec3 sun, float optical_depth) {
   vec4 others = in_scattered(in_scatter_place(p, land), direction);
-  float near_m = cloud.volume.w;
-  float optical_depth = sun_optical_depth(p, land, near_m, jitter);
-  // What stands farther away than the light is marched.
-  if (medium_stretch(p, frame.light_direction.xyz).end > near_m)
-    optical_depth += far_optical_depth(in_scatter_place(p + near_m * frame.light_direction.xyz, land));
-  float forward = cloud.in_scatter_levels.z;
   float beam = exp(-optical_depth);
-  float spread_beam = exp(-optical_depth * (1.0 - forward));
-  float deeper = min(optical_depth * (1.0 - forward), 9.2) + log(max(others.w, 1.0e-4));
+  float depth_of_peak = optical_depth * (1.0 - cloud.in_scatter_levels.z);
+  float little = light.little * (exp(-depth_of_peak) - beam);
+  float deeper = min(depth_of_peak, darkest_depth) - depth_on_grid(others.w);
   float shade = exp(-cloud.in_scatter_levels.w * clamp(deeper, -3.0, 3.0));
-  return sun * (light.phase * beam + vec3(light.octaves_low.y * (spread_beam - beam))) + others.xyz * shade;
+  return sun * (light.phase * beam + vec3(little)) + others.xyz * shade;
 }
 
 // Radiance scattered per metre at density 1.
 vec3 source_radiance(RayLight light, vec3 p, vec3 direction, Land land, float jitter) {
   float h = clamp(height_in_layer(p), 0.0, 1.0);
   vec3 sun = sun_at(p, h);
-  if (lighting() && int(cloud.phase.w) == light_in_scatter_volume) {
-    return cloud.medium.y * light_from_volume(light, p, direction, land, sun, jitter);
-  }
+  float optical_depth = lighting() ? sun_optical_depth(p, land, jitter) : 0.0;
+  if (lighting() && light_from_grid()) return cloud.medium.y * light_from_volume(light, p, direction, land, sun, optical_depth);
   // tuned: without lighting all of the cloud is as bright as a white diffuse surface that the sun strikes at 60 degrees.
   vec3 scatter = vec3(0.5 / pi);
-  if (lighting()) scatter = sun_scatter(light, sun_optical_depth(p, land, cloud.march.x, jitter));
+  if (lighting()) scatter = sun_scatter(light, optical_depth);
   if (int(cloud.phase.w) == light_olajos)
     return cloud.medium.y * sun * (cloud.olajos_dark.xyz / pi + cloud.olajos_bright.xyz * scatter);
   return cloud.medium.y * (sun * scatter + ambient(light, h));

@@ -34,21 +34,31 @@ vec4 between_levels(sampler3D volume, InScatterPlace place) {
   return sum;
 }
 
-// Optical depth towards the sun where this share of its beam arrives, which is without what is scattered into the forward peak.
-float optical_depth_of(float beam) {
-  return -log(max(beam, 1.0e-4)) / (1.0 - cloud.in_scatter_levels.z * cloud.medium.y / cloud.medium.x);
-}
-float far_optical_depth(InScatterPlace place) { return optical_depth_of(between_levels(in_scatter_mean, place).w); }
+const float darkest_depth = 9.2;  // the grid's beam ends there (server/bake/in_scatter_beam.cpp)
 
-// Radiance scattered along `direction` by a medium that scatters all it takes, and the share of the sun's beam that arrives on the
-// grid. The light comes from all directions by a function with the moments that were solved, of Henyey and Greenstein's kind, which
-// is nowhere negative; scattering turns its mean cosine by that of the phase function.
+// Optical depth towards the sun where this share of the grid's beam arrives: without what is scattered into the forward peak.
+float depth_on_grid(float beam) { return -log(max(beam, exp(-darkest_depth))); }
+float far_optical_depth(InScatterPlace place) {
+  return depth_on_grid(between_levels(in_scatter_mean, place).w) / (1.0 - cloud.in_scatter_levels.z);
+}
+
+// Light along `direction` over the mean of all directions, once a medium of mean cosine g has scattered it: light whose mean cosine about
+// its own axis was `size`, and `cosine` is that of `direction` about it. Up to the second Legendre moment, which is none for light
+// from a hemisphere (size 1/2) and below, that of a Lambert surface's at 2/3, and 1 for a beam. tuned: half of it by Henyey and
+// Greenstein's function, all of it for a beam: slabs want the one (tests/gpu/render/in_scatter_test.cpp), broken clouds the other.
+float scattered_lobe(float cosine, float size, float g) {
+  float second = g * g * max(0.0, 2.0 * size - 1.0) * size;
+  float even = max(0.0, 1.0 + 3.0 * g * size * cosine + 5.0 * second * (1.5 * cosine * cosine - 0.5));
+  float beam = phase_henyey_greenstein(cosine, g * min(size, 0.98)) / phase_isotropic;
+  return mix(even, beam, mix(0.5, 1.0, smoothstep(0.6, 1.0, size)));
+}
+
+// Radiance scattered along `direction` by a medium that scatters all it takes, and the share of the sun's beam that arrives on the grid.
 vec4 in_scattered(InScatterPlace place, vec3 direction) {
   vec4 mean = between_levels(in_scatter_mean, place);
   vec3 directed = between_levels(in_scatter_directed, place).xyz;
   float size = length(directed);
-  float cosine = dot(directed, direction) / max(size, 1.0e-6);
-  float lobe = phase_henyey_greenstein(cosine, cloud.in_scatter_offset.w * min(size, 0.98)) / phase_isotropic;
+  float lobe = scattered_lobe(dot(directed, direction) / max(size, 1.0e-6), size, cloud.in_scatter_offset.w);
   return vec4(mean.xyz * lobe, mean.w);
 }
 #endif

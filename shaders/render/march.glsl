@@ -151,11 +151,7 @@ float ground_visibility(CameraRay ray, float distance_m, float jitter) {
   vec3 p = ray.origin + ray.direction * distance_m;
   // The clouds that shade it stand where the sun is, not above it.
   vec3 above = p + frame.light_direction.xyz * (cloud.march.z / max(frame.light_direction.z, 0.05));
-  float optical_depth = sun_optical_depth(p, land_at(above), cloud.march.x, jitter);
-  if (int(cloud.phase.w) == light_in_scatter_volume) {
-    vec3 entry = p + frame.light_direction.xyz * (medium_stretch(p, frame.light_direction.xyz).begin + 1.0);
-    optical_depth = far_optical_depth(in_scatter_place(entry, land_at(entry)));
-  }
+  float optical_depth = sun_optical_depth(p, land_at(above), jitter);
   return 1.0 / (1.0 + 0.75 * (1.0 - g) * optical_depth);
 }
 

@@ -6,8 +6,7 @@
 /* layer: bottom altitude, top altitude, 1 / thickness, kind as core's VolumeKind (vdb for all that comes from a file).
    tile: 1 / size east, 1 / size north (1/m), offset east, north (tiles) of the point below the camera.
    box_low, box_high: corners of the volume relative to the point below the camera (not curved), w of low: tiles?, of high: 0.
-   volume: longest small step (m), bent with the planet?, cloud cover (0..1), how far the light is marched before the
-   in-scatter volume goes on (m).
+   volume: longest small step (m), bent with the planet?, cloud cover (0..1), 0.
    shape: threshold, edge softness, variation amount, shift of the tile by the variation (tiles).
    weights: of the four shape channels. variation: 1 / period (1/m), offset east, north (periods), 0.
    detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, sample spacing from which it is averaged (m), the same for its finest part;
@@ -20,8 +19,8 @@
    of cloud about a point outside, about one in its outer padding (m).
    in_scatter_scale, in_scatter_offset: from a place in the volume (0..1) to one in the in-scatter volume; of scale w: levels, one
    above the other, of offset w: mean cosine of the phase function. in_scatter_levels: threshold of the lowest level, levels for each
-   unit of threshold, share of the light that is scattered into the forward peak, how strongly the fine optical depth shades.
-   olajos_dark, olajos_bright: rgb. march: light distance (m), view distance (m), altitudes between which there is cloud (m). */
+   unit of threshold, share of extinction that is scattering into the forward peak, how strongly the fine optical depth shades.
+   olajos_dark, olajos_bright: rgb. march: how far the light is marched (m), view distance (m), altitudes between which there is cloud (m). */
 #define CLOUD_FIELDS(F) \
   F(vec4, layer) \
   F(vec4, tile) \

@@ -12,7 +12,6 @@ int settled(int event) { return event; }
 Vertex scatter_in_air() { return Vertex(vec3(0.0), vec3(0.0)); }
 
 void begin_path() { path.first_m = 0.0; }
-vec3 up_at(vec3 p) { return normalize(vec3(p.xy / planet_radius_m, 1.0)); }
 bool is_first() { return path.first_m == 0.0; }
 
 // The air between the camera and the first vertex; `sign`: of what is kept of its distance.
@@ -51,8 +50,9 @@ int fly() {
     Bound bound = density_bound(p, path.direction);
     vec3 u = random_numbers();
     float flight_m = sample_optical_depth(u.x) / max(bound.density * cloud.medium.x, 1.0e-20);
-    bool tentative = flight_m < bound.free_m;
-    path.t += min(flight_m, bound.free_m);
+    float free_m = onward_m(bound.free_m);
+    bool tentative = flight_m < free_m;
+    path.t += min(flight_m, free_m);
     if (path.t >= path.end_m) event = event_arrival;
     else if (tentative) event = meet_cloud(bound.density, u.y, u.z);
     else path.t = after_gap(path.t);

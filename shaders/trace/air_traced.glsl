@@ -27,8 +27,6 @@ void see_through_air(float distance_m, float sign) {}
 void leave_world() {}
 float mean_of(vec3 v) { return (v.x + v.y + v.z) / 3.0; }
 
-vec3 from_planet(vec3 p) { return vec3(p.xy, p.z + planet_radius_m); }
-vec3 up_at(vec3 p) { return normalize(from_planet(p)); }
 
 // Distance to the planet at sea level, where there may be no ground; no_hit_m: none.
 float planet_distance_m(vec3 origin, vec3 direction) {
@@ -78,7 +76,7 @@ AirAhead air_ahead(vec3 p) {
   if (path.mode == mode_sunlight) return AirAhead(0.0, no_hit_m);
   const float places = 4.0;  // tuned: to a collision at most, on average; more make less noise and cost flights
   float altitude_m = max(altitude_far_of(p), 0.0);
-  float climb = dot(from_planet(p), path.direction) / (planet_radius_m + altitude_m);
+  float climb = dot(up_at(p), path.direction);
   // The ray curves away from the planet, so that it does not sink faster than here.
   float lowest_m = climb < 0.0 ? max(0.0, altitude_m - max(4000.0, 0.5 * altitude_m)) : altitude_m;
   Atmosphere air = frame_atmosphere();
@@ -109,8 +107,7 @@ int fly() {
     float cloud_per_m = bound.density * cloud.medium.x;
     float per_m = max(cloud_per_m + air.per_m, 1.0e-20);
     float flight_m = sample_optical_depth(u.x) / per_m;
-    // Far out 32 bits know no shorter way than this one, and a ray must not stop.
-    float free_m = max(min(bound.free_m, air.free_m), 1.2e-7 * path.t);
+    float free_m = onward_m(min(bound.free_m, air.free_m));
     path.t += min(flight_m, free_m);
     bool in_gap = path.t > path.gap_begin && path.t < path.gap_end;
     float kind = u.y * per_m;

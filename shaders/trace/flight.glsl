@@ -25,6 +25,9 @@ void roulette(float u) {
   if (strength < 1.0) path.throughput = u < strength ? path.throughput / strength : vec3(0.0);
 }
 
+// Far out 32 bits know no shorter way than this one, and a ray must not stop.
+float onward_m(float free_m) { return max(free_m, 1.2e-7 * path.t); }
+
 float after_gap(float t) { return t > path.gap_begin && t < path.gap_end ? path.gap_end : t; }
 
 // What a tentative collision with cloud turns out to be, at `path.t`; u, roulette: random numbers.

@@ -9,7 +9,8 @@ struct Reflector {
   vec3 albedo, normal;
 };
 
-vec3 up_at(vec3 p);  // the vertical: in air_tables.glsl as far as one sees, in air_traced.glsl all round the planet
+// The vertical, all round the planet.
+vec3 up_at(vec3 p) { return normalize(vec3(p.xy, p.z + planet_radius_m)); }
 
 // Distance to the ground along a ray, m; no_hit_m where there is none.
 float surface_distance_m(vec3 origin, vec3 direction);

@@ -73,6 +73,17 @@ inline Cloudscape empty_world() {
   return sky;
 }
 
+// No cloud, a clear sky, and the sun in the north.
+inline Cloudscape clear_world(double sun_deg, double albedo = 0) {
+  Cloudscape sky = empty_world();
+  sky.sky.kind = SkyKind::clear;
+  sky.ground.kind = GroundKind::plain;
+  sky.ground.albedo = glm::dvec3(albedo);
+  sky.ground.variation = 0;
+  sky.sun.azimuth_deg = 0, sky.sun.elevation_deg = sun_deg;
+  return sky;
+}
+
 inline Cloudscape homogeneous(VolumeKind kind, const glm::dvec3& low_m, const glm::dvec3& size_m,
                               double extinction_per_m) {
   Cloudscape sky = empty_world();

@@ -17,15 +17,6 @@ struct Look {
 
 class ClearSky : public RenderTest {
  protected:
-  static Cloudscape clear_sky(double sun_deg, double albedo = 0) {
-    Cloudscape sky = empty_world();
-    sky.sky.kind = SkyKind::clear;
-    sky.ground.kind = GroundKind::plain;
-    sky.ground.albedo = glm::dvec3(albedo);
-    sky.ground.variation = 0;
-    sky.sun.azimuth_deg = 0, sky.sun.elevation_deg = sun_deg;
-    return sky;
-  }
   static glm::dvec3 color(const Frame& frame, std::size_t pixel = 0) {
     const float* rgba = frame.radiance_rgba.data() + 4 * pixel;
     return {rgba[0], rgba[1], rgba[2]};
@@ -52,7 +43,7 @@ class ClearSky : public RenderTest {
     std::ostringstream where;
     where << "sun " << sun_deg << ", albedo " << albedo << ", azimuth " << look.azimuth_deg << ", elevation "
           << look.elevation_deg << ", from " << altitude_m << " m";
-    check_error(sky_at(clear_sky(sun_deg, albedo), altitude_m, look), truth, low, high, where.str());
+    check_error(sky_at(clear_world(sun_deg, albedo), altitude_m, look), truth, low, high, where.str());
   }
 };
 
@@ -93,7 +84,7 @@ TEST_F(ClearSky, MeetsTheTracerBeforeAnObject) {
         const TracedAir air{direction_of(0, sun_deg), 0};
         const glm::dvec3 direction = direction_of(azimuth_deg, 2);
         const TracedRadiance truth = traced_sky(air, 1000, direction, 5000, distance_m);
-        Cloudscape sky = clear_sky(sun_deg);
+        Cloudscape sky = clear_world(sun_deg);
         sky.volume.size_m = glm::dvec3(400);
         sky.volume.origin_m = glm::dvec3(0, 0, 1000) + direction * (distance_m + 200) - 200.0;
         sky.medium.extinction_per_m = 10, sky.medium.single_scattering_albedo = 0;
@@ -110,7 +101,7 @@ double luminance(const glm::dvec3& color) { return glm::dot(color, glm::dvec3(0.
 TEST_F(ClearSky, DarkensThroughTwilight) {
   double before = 1e9;
   for (const double sun_deg : {0.0, -2.0, -4.0, -6.0, -9.0, -12.0, -15.0, -18.0}) {
-    Cloudscape sky = clear_sky(sun_deg, 0.1);
+    Cloudscape sky = clear_world(sun_deg, 0.1);
     sky.sky.stars = 0;
     const double zenith = luminance(sky_at(sky, 2, {0, 89}));
     EXPECT_LT(zenith, before) << sun_deg;
@@ -118,7 +109,7 @@ TEST_F(ClearSky, DarkensThroughTwilight) {
     EXPECT_GT(luminance(sky_at(sky, 2, {0, 3})), luminance(sky_at(sky, 2, {180, 3}))) << sun_deg;
     before = zenith;
   }
-  const auto zenith = [](double sun_deg) { return luminance(sky_at(clear_sky(sun_deg, 0.1), 2, {0, 89})); };
+  const auto zenith = [](double sun_deg) { return luminance(sky_at(clear_world(sun_deg, 0.1), 2, {0, 89})); };
   EXPECT_GT(zenith(0) / zenith(-6), 20);
   EXPECT_LT(zenith(0) / zenith(-6), 400);
   EXPECT_GT(zenith(-6) / zenith(-12), 50);
@@ -126,7 +117,7 @@ TEST_F(ClearSky, DarkensThroughTwilight) {
 
 // Nothing jumps as the camera climbs, least of all where the levels of the tables meet.
 TEST_F(ClearSky, ChangesEvenlyWithAltitude) {
-  const Cloudscape sky = clear_sky(8, 0.2);
+  const Cloudscape sky = clear_world(8, 0.2);
   for (const int level : {1, 5, 12}) {
     const double rung_m = level_altitude_m(level);
     for (const Look look : {Look{30, 2}, Look{120, 40}, Look{60, -20}}) {
@@ -137,7 +128,7 @@ TEST_F(ClearSky, ChangesEvenlyWithAltitude) {
 }
 
 TEST_F(ClearSky, IsNotComputedAnewWhereOnlyTheCameraMoves) {
-  const FrameRequest request = one_ray(clear_sky(20), {{0, 0, 800}, 0, 10, 0});
+  const FrameRequest request = one_ray(clear_world(20), {{0, 0, 800}, 0, 10, 0});
   const auto bakes_of = [&](const CameraPose& pose, const Cloudscape& sky) {
     FrameRequest moved = request;
     moved.pose = pose, moved.cloudscape = std::make_shared<const Cloudscape>(sky);
@@ -161,7 +152,7 @@ TEST_F(ClearSky, IsNotComputedAnewWhereOnlyTheCameraMoves) {
 // Half a degree of sky about the horizon: no stripe brighter or darker than what lies about it.
 TEST_F(ClearSky, HasNoStripeAtTheHorizon) {
   for (const double sun_deg : {30.0, 2.0}) {
-    FrameRequest request = picture(clear_sky(sun_deg, 0.2), {{0, 0, 100}, 90, -0.32, 0}, {1, 64});
+    FrameRequest request = picture(clear_world(sun_deg, 0.2), {{0, 0, 100}, 90, -0.32, 0}, {1, 64});
     request.lens.vertical_fov_deg = 1;
     const Frame frame = render(request);
     for (std::size_t pixel = 1; pixel + 1 < 64; ++pixel) {
@@ -174,7 +165,7 @@ TEST_F(ClearSky, HasNoStripeAtTheHorizon) {
 }
 
 TEST_F(ClearSky, MoonAndStarsShineAtNight) {
-  Cloudscape sky = clear_sky(-40, 0.2);
+  Cloudscape sky = clear_world(-40, 0.2);
   sky.moon.azimuth_deg = 180, sky.moon.elevation_deg = 40;  // nearly full
   const double moonlit = luminance(sky_at(sky, 2, {90, 60}));
   Cloudscape dark = sky;
@@ -189,7 +180,7 @@ TEST_F(ClearSky, MoonAndStarsShineAtNight) {
 }
 
 TEST_F(ClearSky, TheMoonsDiscCarriesItsLight) {
-  Cloudscape sky = clear_sky(-40);
+  Cloudscape sky = clear_world(-40);
   sky.sky.stars = 0, sky.sky.haze = 0, sky.sky.rayleigh = 0, sky.sky.ozone = 0;
   sky.moon.azimuth_deg = 0, sky.moon.elevation_deg = 30, sky.moon.phase_angle_deg = 0;
   const double full = luminance(sky_at(sky, 2, {0, 30}));

@@ -10,17 +10,6 @@
 
 namespace cloudscape::render {
 
-// No cloud; the sun in the north.
-inline Cloudscape clear_world(double sun_deg, double albedo) {
-  Cloudscape sky = empty_world();
-  sky.sky.kind = SkyKind::clear;
-  sky.ground.kind = GroundKind::plain;
-  sky.ground.albedo = glm::dvec3(albedo);
-  sky.ground.variation = 0;
-  sky.sun.azimuth_deg = 0, sky.sun.elevation_deg = sun_deg;
-  return sky;
-}
-
 struct Look {
   double altitude_m, azimuth_deg, elevation_deg;
 };

@@ -12,11 +12,11 @@ namespace {
 
 // Two points, one of them at night.
 std::vector<InScatterSolution> levels() {
+  const auto grey = [](float v) { return Colours{v, v, v, 0}; };
   InScatterSolution level;
-  level.mean = {{0.31F, 0.52F, 0.7F, 0.25F}, {3e-7F, 2e-7F, 1e-7F, 1}};
-  level.directed[0] = {{0.1F, 0.1F, 0.1F, 0}, {0, 0, 0, 0}};
-  level.directed[1] = {{0, 0, 0, 0}, {-1e-7F, -1e-7F, -1e-7F, 0}};
-  level.directed[2] = {{0.2F, 0.2F, 0.2F, 0}, {0, 0, 0, 0}};
+  level.light = {{Colours{0.31F, 0.52F, 0.7F, 0}, grey(0.1F), grey(0), grey(0.2F)},
+                 {Colours{3e-7F, 2e-7F, 1e-7F, 0}, grey(0), grey(-1e-7F), grey(0)}};
+  level.beam = {0.25F, 1};
   return {level, level};
 }
 
