@@ -28,49 +28,109 @@ Colours sum_of(const std::vector<Colours>& values, std::size_t begin, int count)
 
 }  // namespace
 
-// A direction and how the grid is stored along it.
+// A direction of a group.
 struct Sweeper::Path {
   Ordinate ordinate;
   Stencil stencil;
   Colours around{};
-  std::span<const Moments> source = {};
-  std::array<int, 2> counts{};           // points of a plane along its axes
-  std::size_t stride = 1;                // between planes
-  std::array<std::size_t, 2> strides{};  // along the plane's axes
-  bool periodic = false;                 // along the sweep
-  std::size_t points() const { return static_cast<std::size_t>(counts[0]) * static_cast<std::size_t>(counts[1]); }
 };
+
+// Directions that go through the same layers of the grid in the same order, and how the grid is stored along them.
+struct Sweeper::Group {
+  std::vector<Path> paths;
+  int axis = 2;
+  bool falls = true;                     // light comes from the far end
+  bool periodic = false;                 // along the sweep
+  std::array<int, 2> counts{};           // points of a layer along its axes
+  std::size_t stride = 1;                // between layers
+  std::array<std::size_t, 2> strides{};  // along the layer's axes
+  std::size_t points() const { return static_cast<std::size_t>(counts[0]) * static_cast<std::size_t>(counts[1]); }
+  std::size_t crossing_count() const { return periodic ? paths.size() * points() : 0; }
+};
+
+namespace {
+
+// use(point, index): each point of a layer, and where the grid has it.
+template <class Group>
+void each_point(const Group& group, int layer, auto&& use) {
+  std::size_t point = 0;
+  for (int c = 0; c < group.counts[1]; ++c) {
+    std::size_t index = static_cast<std::size_t>(layer) * group.stride + static_cast<std::size_t>(c) * group.strides[1];
+    for (int b = 0; b < group.counts[0]; ++b, ++point, index += group.strides[0]) use(point, index);
+  }
+}
+
+}  // namespace
 
 Sweeper::Sweeper(const InScatterGrid& grid) : grid_(grid), ordinates_(ordinates()) {}
 
-void Sweeper::load(Plane& plane, const Path& path, int layer) const {
-  const glm::vec3& d = path.ordinate.direction;
-  const Colours x = all_of(d.x), y = all_of(d.y), z = all_of(d.z);
-  std::size_t point = 0;
-  for (int c = 0; c < path.counts[1]; ++c) {
-    std::size_t index = static_cast<std::size_t>(layer) * path.stride + static_cast<std::size_t>(c) * path.strides[1];
-    for (int b = 0; b < path.counts[0]; ++b, ++point, index += path.strides[0]) {
-      const Moments& moments = path.source[index];
-      plane.source[point] = moments.even + moments.east * x + moments.north * y + moments.up * z;
-      plane.extinction[point] = grid_.extinction_per_m[index];
+std::vector<Sweeper::Group> Sweeper::groups(const std::vector<Colours>& around) const {
+  const std::array<std::size_t, 3> strides{
+      1, static_cast<std::size_t>(grid_.size.x),
+      static_cast<std::size_t>(grid_.size.x) * static_cast<std::size_t>(grid_.size.y)};
+  std::vector<Group> groups(6);
+  for (std::size_t i = 0; i < ordinates_.size(); ++i) {
+    const Stencil stencil = stencil_of(ordinates_[i].direction, grid_.spacing_m);
+    const auto [b, c] = stencil.others;
+    Group& group = groups[2 * static_cast<std::size_t>(stencil.axis) + (stencil.towards[stencil.axis] > 0)];
+    group.axis = stencil.axis;
+    group.falls = stencil.towards[stencil.axis] > 0;
+    group.periodic = grid_.periodic && stencil.axis != 2;
+    group.counts = {grid_.size[b], grid_.size[c]};
+    group.stride = strides[static_cast<std::size_t>(stencil.axis)];
+    group.strides = {strides[static_cast<std::size_t>(b)], strides[static_cast<std::size_t>(c)]};
+    group.paths.push_back({ordinates_[i], stencil, around[i]});
+  }
+  return groups;
+}
+
+void Sweeper::begin(const Group& group, std::span<const Moments> source, std::span<const Colours> crossing) {
+  now_.resize(group.paths.size()), before_.resize(group.paths.size());
+  for (std::vector<Plane>* planes : {&now_, &before_})
+    for (Plane& plane : *planes) plane.radiance.resize(group.points()), plane.source.resize(group.points());
+  extinction_.resize(group.points()), moments_.resize(group.points());
+  if (group.periodic) load(group, source, group.falls ? 0 : grid_.size[group.axis] - 1);
+  for (std::size_t i = 0; i < group.paths.size(); ++i) {
+    if (group.periodic) {
+      const auto crosses = crossing.subspan(i * group.points(), group.points());
+      std::copy(crosses.begin(), crosses.end(), now_[i].radiance.begin());
+    } else {
+      std::fill(now_[i].radiance.begin(), now_[i].radiance.end(), group.paths[i].around);
+      std::fill(now_[i].source.begin(), now_[i].source.end(), Colours{});
+    }
+  }
+  if (!group.periodic) std::fill(extinction_.begin(), extinction_.end(), 0.0F);
+  std::swap(now_, before_);
+  extinction_before_ = extinction_;
+}
+
+void Sweeper::load(const Group& group, std::span<const Moments> source, int layer) {
+  each_point(group, layer, [&](std::size_t point, std::size_t index) {
+    moments_[point] = source[index];
+    extinction_[point] = grid_.extinction_per_m[index];
+  });
+  for (std::size_t i = 0; i < group.paths.size(); ++i) {
+    const glm::vec3& d = group.paths[i].ordinate.direction;
+    const Colours x = all_of(d.x), y = all_of(d.y), z = all_of(d.z);
+    for (std::size_t point = 0; point < moments_.size(); ++point) {
+      const Moments& moments = moments_[point];
+      now_[i].source[point] = moments.even + moments.east * x + moments.north * y + moments.up * z;
     }
   }
 }
 
 // Radiance in the points of a layer, from that in the layer before.
-void Sweeper::cross(const Path& path, int layer, Arrived& arrived) {
+void Sweeper::cross(const Group& group, std::size_t number) {
+  const Path& path = group.paths[number];
+  Plane& now = now_[number];
+  const Plane& before = before_[number];
   const auto [share_b, share_c] = path.stencil.shares;
-  const std::array<Colours, 4> weights{all_of((1 - share_b) * (1 - share_c)), all_of(share_b * (1 - share_c)),
-                                       all_of((1 - share_b) * share_c), all_of(share_b * share_c)};
+  const std::array<float, 4> shares{(1 - share_b) * (1 - share_c), share_b * (1 - share_c), (1 - share_b) * share_c,
+                                    share_b * share_c};
   const float half_m = 0.5F * path.stencil.length_m;
-  const glm::vec3 d = path.ordinate.direction;
-  // The mean over the layer of radiance times cosine, over the sphere.
-  const Colours flux =
-      all_of(12.566371F * path.ordinate.weight * d.z / static_cast<float>(grid_.size.x * grid_.size.y));
-  const Colours weight = all_of(path.ordinate.weight), x = all_of(d.x), y = all_of(d.y), z = all_of(d.z);
   const int along_b = path.stencil.towards[path.stencil.others[0]],
             along_c = path.stencil.towards[path.stencil.others[1]];
-  const int count_b = path.counts[0], count_c = path.counts[1];
+  const auto [count_b, count_c] = group.counts;
   const bool wraps_b = grid_.periodic, wraps_c = grid_.periodic && path.stencil.others[1] != 2;
   for (int c = 0; c < count_c; ++c) {
     int next_c = c + along_c;
@@ -78,76 +138,77 @@ void Sweeper::cross(const Path& path, int layer, Arrived& arrived) {
     if (out_c) next_c = (next_c + count_c) % count_c;
     const std::size_t row = static_cast<std::size_t>(c * count_b),
                       next_row = static_cast<std::size_t>(next_c * count_b);
-    std::size_t index = static_cast<std::size_t>(layer) * path.stride + static_cast<std::size_t>(c) * path.strides[1];
-    for (int b = 0; b < count_b; ++b, index += path.strides[0]) {
+    for (int b = 0; b < count_b; ++b) {
       int next_b = b + along_b;
       const bool out_b = next_b < 0 || next_b >= count_b;
       if (out_b) next_b = (next_b + count_b) % count_b;
       const std::size_t at = row + static_cast<std::size_t>(b);
-      Colours radiance = path.around;
-      if ((!out_b || wraps_b) && (!out_c || wraps_c)) {
-        const std::array<std::size_t, 4> from{at, row + static_cast<std::size_t>(next_b),
-                                              next_row + static_cast<std::size_t>(b),
-                                              next_row + static_cast<std::size_t>(next_b)};
-        Colours came{}, source{}, extinction{};
-        for (std::size_t i = 0; i < 4; ++i) {
-          came += weights[i] * before_.radiance[from[i]];
-          source += weights[i] * before_.source[from[i]];
-          extinction += weights[i] * all_of(before_.extinction[from[i]]);
-        }
-        const Step step = step_of(half_m * (extinction[0] + now_.extinction[at]));
-        radiance = came * all_of(step.kept) + source * all_of(step.far) + now_.source[at] * all_of(step.near);
+      now.radiance[at] = path.around;
+      if ((out_b && !wraps_b) || (out_c && !wraps_c)) continue;
+      const std::array<std::size_t, 4> from{at, row + static_cast<std::size_t>(next_b),
+                                            next_row + static_cast<std::size_t>(b),
+                                            next_row + static_cast<std::size_t>(next_b)};
+      Colours came{}, source{};
+      float extinction = extinction_[at];
+      for (std::size_t i = 0; i < 4; ++i) {
+        came += all_of(shares[i]) * before.radiance[from[i]];
+        source += all_of(shares[i]) * before.source[from[i]];
+        extinction += shares[i] * extinction_before_[from[i]];
       }
-      now_.radiance[at] = radiance;
-      const Colours share = weight * radiance;
-      Moments& sum = arrived.at[index];
+      const Step step = step_of(half_m * extinction);
+      now.radiance[at] = came * all_of(step.kept) + source * all_of(step.far) + now.source[at] * all_of(step.near);
+    }
+  }
+}
+
+// What has come to a layer, by all directions of the group.
+void Sweeper::add(const Group& group, int layer, Arrived& arrived) {
+  std::fill(moments_.begin(), moments_.end(), Moments{});
+  for (std::size_t i = 0; i < group.paths.size(); ++i) {
+    const Ordinate& ordinate = group.paths[i].ordinate;
+    const glm::vec3& d = ordinate.direction;
+    const Colours weight = all_of(ordinate.weight), x = all_of(d.x), y = all_of(d.y), z = all_of(d.z);
+    const std::vector<Colours>& radiance = now_[i].radiance;
+    for (std::size_t point = 0; point < moments_.size(); ++point) {
+      const Colours share = weight * radiance[point];
+      Moments& sum = moments_[point];
       sum.even += share, sum.east += share * x, sum.north += share * y, sum.up += share * z;
     }
-    const int height = path.stencil.axis == 2 ? layer : c;
-    if (height == 0 && d.z > 0) arrived.down += flux * sum_of(now_.radiance, row, count_b);
-    if (height == grid_.size.z - 1 && d.z < 0) arrived.up -= flux * sum_of(now_.radiance, row, count_b);
+    // The mean over the layer of radiance times cosine, over the sphere.
+    const Colours flux = all_of(12.566371F * ordinate.weight * d.z / static_cast<float>(grid_.size.x * grid_.size.y));
+    const bool lies = group.axis == 2;  // else the lowest and the highest row of the layer count
+    const auto row = [&](int height) { return lies ? 0 : static_cast<std::size_t>(height * group.counts[0]); };
+    const int count = lies ? static_cast<int>(moments_.size()) : group.counts[0], top = grid_.size.z - 1;
+    if (d.z > 0 && (!lies || layer == 0)) arrived.down += flux * sum_of(radiance, row(0), count);
+    if (d.z < 0 && (!lies || layer == top)) arrived.up -= flux * sum_of(radiance, row(top), count);
   }
+  each_point(group, layer, [&](std::size_t point, std::size_t index) {
+    Moments& sum = arrived.at[index];
+    const Moments& part = moments_[point];
+    sum.even += part.even, sum.east += part.east, sum.north += part.north, sum.up += part.up;
+  });
 }
 
-void Sweeper::follow(const Path& path, std::span<Colours> crossing, Arrived& arrived) {
-  for (Plane* plane : {&now_, &before_})
-    plane->radiance.resize(path.points()), plane->source.resize(path.points()), plane->extinction.resize(path.points());
-  const int layers = grid_.size[path.stencil.axis];
-  const bool falls = path.stencil.towards[path.stencil.axis] > 0;  // light comes from the far end
-  if (path.periodic) {
-    load(before_, path, falls ? 0 : layers - 1);
-    std::copy(crossing.begin(), crossing.end(), before_.radiance.begin());
-  } else {
-    std::fill(before_.radiance.begin(), before_.radiance.end(), path.around);
-    std::fill(before_.source.begin(), before_.source.end(), Colours{});
-    std::fill(before_.extinction.begin(), before_.extinction.end(), 0.0F);
-  }
+void Sweeper::follow(const Group& group, std::span<const Moments> source, std::span<Colours> crossing,
+                     Arrived& arrived) {
+  begin(group, source, crossing);
+  const int layers = grid_.size[group.axis];
   for (int i = 0; i < layers; ++i) {
-    const int layer = falls ? layers - 1 - i : i;
-    load(now_, path, layer);
-    cross(path, layer, arrived);
-    std::swap(now_, before_);
+    const int layer = group.falls ? layers - 1 - i : i;
+    load(group, source, layer);
+    for (std::size_t number = 0; number < group.paths.size(); ++number) cross(group, number);
+    add(group, layer, arrived);
+    std::swap(now_, before_), std::swap(extinction_, extinction_before_);
   }
-  if (path.periodic) std::copy(before_.radiance.begin(), before_.radiance.end(), crossing.begin());
-}
-
-Sweeper::Path Sweeper::path_of(const Ordinate& ordinate) const {
-  const std::array<std::size_t, 3> strides{
-      1, static_cast<std::size_t>(grid_.size.x),
-      static_cast<std::size_t>(grid_.size.x) * static_cast<std::size_t>(grid_.size.y)};
-  Path path{ordinate, stencil_of(ordinate.direction, grid_.spacing_m)};
-  const auto [b, c] = path.stencil.others;
-  path.counts = {grid_.size[b], grid_.size[c]};
-  path.stride = strides[static_cast<std::size_t>(path.stencil.axis)];
-  path.strides = {strides[static_cast<std::size_t>(b)], strides[static_cast<std::size_t>(c)]};
-  path.periodic = grid_.periodic && path.stencil.axis != 2;
-  return path;
+  if (group.periodic)
+    for (std::size_t i = 0; i < group.paths.size(); ++i)
+      std::copy(before_[i].radiance.begin(), before_[i].radiance.end(),
+                crossing.begin() + static_cast<std::ptrdiff_t>(i * group.points()));
 }
 
 std::size_t Sweeper::crossing_count() const {
   std::size_t count = 0;
-  for (const Ordinate& ordinate : ordinates_)
-    if (const Path path = path_of(ordinate); path.periodic) count += path.points();
+  for (const Group& group : groups(std::vector<Colours>(ordinates_.size()))) count += group.crossing_count();
   return count;
 }
 
@@ -155,12 +216,10 @@ Sweeper::Arrived Sweeper::sweep(std::span<const Moments> source, const std::vect
                                 std::span<Colours> crossing) {
   Arrived arrived;
   arrived.at.assign(source.size(), Moments{});
-  for (std::size_t i = 0; i < ordinates_.size(); ++i) {
-    Path path = path_of(ordinates_[i]);
-    path.around = around[i], path.source = source;
-    const std::size_t crosses = path.periodic ? path.points() : 0;
-    follow(path, crossing.first(crosses), arrived);
-    crossing = crossing.subspan(crosses);
+  for (const Group& group : groups(around)) {
+    if (group.paths.empty()) continue;
+    follow(group, source, crossing.first(group.crossing_count()), arrived);
+    crossing = crossing.subspan(group.crossing_count());
   }
   return arrived;
 }

@@ -25,19 +25,24 @@ class Sweeper {
   const std::vector<Ordinate>& directions() const { return ordinates_; }
 
  private:
+  // Of one direction in the points of a layer.
   struct Plane {
     std::vector<Colours> radiance, source;
-    std::vector<float> extinction;
   };
   struct Path;
-  Path path_of(const Ordinate& ordinate) const;
-  void follow(const Path& path, std::span<Colours> crossing, Arrived& arrived);
-  void load(Plane& plane, const Path& path, int layer) const;
-  void cross(const Path& path, int layer, Arrived& arrived);
+  struct Group;
+  std::vector<Group> groups(const std::vector<Colours>& around) const;
+  void follow(const Group& group, std::span<const Moments> source, std::span<Colours> crossing, Arrived& arrived);
+  void begin(const Group& group, std::span<const Moments> source, std::span<const Colours> crossing);
+  void load(const Group& group, std::span<const Moments> source, int layer);
+  void cross(const Group& group, std::size_t number);
+  void add(const Group& group, int layer, Arrived& arrived);
 
   const InScatterGrid& grid_;
   std::vector<Ordinate> ordinates_;
-  Plane now_, before_;
+  std::vector<Plane> now_, before_;  // by direction of a group
+  std::vector<float> extinction_, extinction_before_;
+  std::vector<Moments> moments_;  // of the layer: its sources, then what came to it
 };
 
 }  // namespace cloudscape::bake

@@ -11,6 +11,7 @@ namespace {
 // tuned: points upwards for each one across, by distance; light changes faster upwards. More take longer to solve.
 constexpr double points_upwards = 1.5;
 constexpr int fewest_layers = 8, most_layers = 48;
+constexpr double most_points_alone = 100'000;  // tuned: of a body that stands alone, as deep as wide: 1 s to solve
 constexpr int varied_levels = 3;  // tuned: light at the thresholds between is a mixture; more take longer to solve
 // tuned against the path-traced reference: how much of the difference between the fine optical depth and the grid's is
 // seen in the light of the other orders.
@@ -35,6 +36,19 @@ void upwards(InScatterPlan& plan, double lowest, double highest, int layers) {
   plan.first.z = lowest - 0.5 * plan.spacing.z;
 }
 
+// Points about `point_m` apart across, of volumes as thick as `thickness_m`.
+glm::ivec3 counts(const Cloudscape& marched, double point_m, double thickness_m) {
+  const bool even = marched.volume.kind == VolumeKind::slab;
+  const auto across = [&](double size_m) {
+    return even ? 4 : std::max(8, static_cast<int>(std::lround(size_m / point_m)));
+  };
+  const int layers = static_cast<int>(std::ceil(points_upwards * thickness_m / point_m));
+  const glm::dvec3& size_m = marched.volume.size_m;
+  return {across(size_m.x), across(size_m.y), std::clamp(layers, fewest_layers, most_layers)};
+}
+
+double product(const glm::ivec3& count) { return double(count.x) * count.y * count.z; }
+
 }  // namespace
 
 InScatterPlan in_scatter_plan(const Cloudscape& marched, double lowest, double highest, double threshold,
@@ -42,14 +56,14 @@ InScatterPlan in_scatter_plan(const Cloudscape& marched, double lowest, double h
   InScatterPlan plan;
   const glm::dvec3& size_m = marched.volume.size_m;
   plan.periodic = repeats(marched);
-  const double point_m = std::max(size_m.x, size_m.y) / marched.medium.light_model.volume_resolution;
-  const bool even = marched.volume.kind == VolumeKind::slab;
-  for (int axis = 0; axis < 2; ++axis)
-    across(plan, axis, even ? 4 : std::max(8, static_cast<int>(std::lround(size_m[axis] / point_m))));
   if (!(highest > lowest)) lowest = 0, highest = 1;  // no cloud anywhere
   const double thickness_m = (highest - lowest) * size_m.z;
-  upwards(plan, lowest, highest,
-          std::clamp(static_cast<int>(std::ceil(points_upwards * thickness_m / point_m)), fewest_layers, most_layers));
+  const double point_m = std::max(size_m.x, size_m.y) / marched.medium.light_model.volume_resolution;
+  glm::ivec3 count = counts(marched, point_m, thickness_m);
+  if (const double excess = product(count) / most_points_alone; !plan.periodic && excess > 1)
+    count = counts(marched, point_m * std::cbrt(excess), thickness_m);
+  for (int axis = 0; axis < 2; ++axis) across(plan, axis, count[axis]);
+  upwards(plan, lowest, highest, count.z);
   plan.thresholds = {threshold};
   if (swing <= 0) return plan;
   plan.thresholds.clear();

@@ -34,7 +34,7 @@ std::string bytes_of(std::span<const T> values) {
 
 // What the light in the clouds depends on beside the light that comes to them.
 std::string clouds_key(const Cloudscape& marched, const bake::BakedCloudscape& baked, double mean_cosine) {
-  constexpr const char* version = "2";  // of the solver and the grid: raise it when they change what they make
+  constexpr const char* version = "3";  // of the solver and the grid: raise it when they change what they make
   Cloudscape sky = marched;
   sky.title = sky.description = "";
   sky.sun = {}, sky.moon = {}, sky.sky = {}, sky.ground = {}, sky.wind = {}, sky.view = {};

@@ -80,7 +80,7 @@ test('settings change size, document and sun; bad ones change nothing', () => wi
   const error = await viewer.message('error');
   assert.equal(error.pointer, '/size_px');
   assert.ok(!error.fatal);
-  viewer.send({ type: 'settings', cloudscape: { seed: 5, volume: { kind: 'sphere' } } });
+  viewer.send({ type: 'settings', cloudscape: { seed: 5, volume: { kind: 'sphere', size_m: [500, 500, 500] } } });
   viewer.camera(1, { azimuth_deg: 5 });
   assert.equal((await viewer.frame(frame => frame.azimuth_deg === 5)).width, 64);
 }));
@@ -88,7 +88,7 @@ test('settings change size, document and sun; bad ones change nothing', () => wi
 test('a document that is put anew is seen at once', () => with_viewer(async viewer => {
   const put = document => server.fetch('/api/v1/cloudscapes/watched', {
     method: 'PUT', body: JSON.stringify(document), headers: { 'content-type': 'application/json' } });
-  const medium = { volume: { kind: 'sphere' }, noise: {} };
+  const medium = { volume: { kind: 'sphere', size_m: [500, 500, 500] }, noise: {} };
   assert.equal((await put({ ...medium, seed: 1 })).status, 201);
   viewer.hello({ cloudscape: 'watched', size_px: [64, 48] });
   await viewer.frame(frame => frame.quality_stage === 255, 60000);

@@ -26,10 +26,10 @@ export class Viewer {
   }
 
   // The next message of `type`; it is taken out of what was received.
-  message(type, timeout_ms = 20000) {
+  message(type, timeout_ms = 60000) {
     return this.#take(this.messages, message => message.type === type, `a message ${type}`, timeout_ms);
   }
-  frame(condition = () => true, timeout_ms = 20000) { return this.#take(this.frames, condition, 'a frame', timeout_ms); }
+  frame(condition = () => true, timeout_ms = 60000) { return this.#take(this.frames, condition, 'a frame', timeout_ms); }
 
   async #take(list, condition, what, timeout_ms) {
     const index = await until(() => 1 + list.findIndex(condition), what, timeout_ms);
