@@ -10,6 +10,7 @@ const int event_collision = 1;  // of the path with a particle of the clouds
 const int event_arrival = 2;    // where the medium ends, or at a surface, or the ray towards the sun is dark
 const int event_in_air = 3;     // the path is scattered by the air, where that is traced
 const float weak_throughput = 0.25;  // tuned: roulette from here on; more ends paths that still bring light, less wastes time
+const float weak_sunlight_per_sr = 0.1;  // tuned: 0.1 saves a quarter of the time for 1 % more noise, 1 brings a fifth more noise
 const float weak_transmittance = 0.1;
 
 uint flights = 0u;
@@ -23,6 +24,12 @@ struct Vertex {
 void roulette(float u) {
   float strength = greatest(path.throughput) / weak_throughput;
   if (strength < 1.0) path.throughput = u < strength ? path.throughput / strength : vec3(0.0);
+}
+
+// Most vertices of a long path have the sun far from ahead and would bring little of it: only some of them look for it.
+void sunlight_roulette(float u, float irradiance) {
+  float strength = greatest(path.sunlight) / (weak_sunlight_per_sr * irradiance);
+  if (strength < 1.0) path.sunlight = u < strength ? path.sunlight / strength : vec3(0.0);
 }
 
 // Far out 32 bits know no shorter way than this one, and a ray must not stop.
