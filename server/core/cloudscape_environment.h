@@ -31,7 +31,7 @@ struct Sun {
   double azimuth_deg = 135.0;
   double elevation_deg = 40.0;
   Place place;
-  glm::dvec3 irradiance{1.474, 1.8504, 1.91198};
+  glm::dvec3 irradiance{1.983, 1.774, 1.74};
   double angular_radius_deg = 0.268;
   bool disc = true;
   bool operator==(const Sun&) const = default;
@@ -42,8 +42,9 @@ struct Sun {
     visit("place", self.place, Limits{}, "Place and time that the sun stands by, instead of by angles.");
     visit(
         "irradiance", self.irradiance, Limits{0, 1e6},
-        "On a plane normal to the beam above the atmosphere (red, green, blue); the default is solar, W/m2/nm "
-        "(Bruneton 2017). "
+        "On a plane normal to the beam above the atmosphere (red, green, blue); the default is the sun's spectrum "
+        "(ASTM "
+        "G-173) in linear sRGB, of which 1, 1, 1 has the luminance of 1 W/m2/nm at all wavelengths. "
         "Radiance comes out in this unit per steradian. Without an atmosphere (sky none or uniform) it arrives whole.");
     visit("angular_radius_deg", self.angular_radius_deg, Limits{0.01, 10}, "Radius of the disc, degrees.");
     visit("disc", self.disc, Limits{}, "Whether the disc can be seen.");

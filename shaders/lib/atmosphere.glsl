@@ -1,6 +1,11 @@
 // A clear atmosphere of air, aerosol and ozone: coefficients and densities (Hillaire 2020, "A Scalable and Production Ready Sky and
 // Atmosphere Rendering Technique", table 1; of the aerosol the released code's extinction, 4.44e-6 in all, where the table prints
 // that number as absorption alone).
+//
+// Its colours are 680, 550 and 440 nm, which shown as red, green and blue make noon too deep a blue and twilight violet, for ozone
+// takes little at 680 nm. Ours are the means over the spectrum that linear sRGB sees of sunlight: the same scattering as the table's at
+// 550 nm (with 1 / wavelength^4) and its ozone (Bruneton 2017, cross sections of Serdyuchenko et al.), weighted by sunlight (ASTM G-173)
+// and the CIE 1931 functions. tests/unit/shaders/spectrum_test.cpp repeats that.
 #ifndef LIB_ATMOSPHERE
 #define LIB_ATMOSPHERE
 #include "lib/constants.glsl"
@@ -14,10 +19,10 @@ struct Atmosphere {
 
 const float rayleigh_scale_m = 8000.0;
 
-vec3 rayleigh_scattering_per_m() { return vec3(5.802e-6, 13.558e-6, 33.1e-6); }
+vec3 rayleigh_scattering_per_m() { return vec3(7.18e-6, 13.73e-6, 32.22e-6); }
 float aerosol_scattering_per_m() { return 3.996e-6; }
 float aerosol_extinction_per_m() { return 4.44e-6; }
-vec3 ozone_absorption_per_m() { return vec3(0.650e-6, 1.881e-6, 0.085e-6); }
+vec3 ozone_absorption_per_m() { return vec3(2.487e-6, 1.795e-6, 0.0); }
 
 float exponential_density(float altitude_m, float scale_m) { return exp(-max(altitude_m, 0.0) / scale_m); }
 float ozone_density(float altitude_m) { return max(0.0, 1.0 - abs(altitude_m - 25000.0) / 15000.0); }

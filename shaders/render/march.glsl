@@ -80,7 +80,11 @@ struct Walk {
 // one large step back where it begins, and on by what the padding is known to leave free; then as far as its outer layer leaves
 // free, and small steps near cloud. It is asked at every step: that costs a quarter of what a sample of the shape does. One loop for
 // all kinds of step: a software rasterizer goes through a loop for all of its lanes until the last is done.
-Walk walk_to_cloud(CameraRay ray, Stretch path, Walk walk) {
+//
+// `jitter`: the first step as a share of a whole one. Small steps are longer far out than where the ray began, and there begin by
+// that share of the longer one: by less, the structure's cells would be seen as ribs.
+Walk walk_to_cloud(CameraRay ray, Stretch path, float jitter, Walk walk) {
+  float first_m = small_step_m(path.begin);
   float large_m = cloud.structure.x;
   float last = path.end - min(1.0, 0.5 * small_step_m(path.end));  // where the structure is asked for the last time
   walk.value = 0.0;
@@ -94,7 +98,7 @@ Walk walk_to_cloud(CameraRay ray, Stretch path, Walk walk) {
       walk.outside = walk.t;
       next = beyond_gap(walk.t < last ? min(walk.t + large_m, last) : path.end, path);
     } else if (walk.outside >= 0.0) {
-      next = walk.outside + cloud.structure.z;
+      next = walk.outside + cloud.structure.z + jitter * (small_step_m(walk.outside) - first_m);
       walk.outside = -1.0;
     } else if (place == near_cloud) {
       walk.value = shape_above_threshold(p, walk.land);
@@ -117,7 +121,7 @@ March march_layer(CameraRay ray, RayLight light, Stretch path, vec2 jitter, floa
     float step_m = 0.0, density = 0.0;
     vec3 p = ray.origin;
     while (density <= 0.0) {
-      walk = walk_to_cloud(ray, path, walk);
+      walk = walk_to_cloud(ray, path, jitter.x, walk);
       if (walk.value <= 0.0) break;
       step_m = small_step_m(walk.t);
       p = ray.origin + ray.direction * walk.t;

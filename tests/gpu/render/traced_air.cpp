@@ -11,7 +11,7 @@ namespace {
 
 using glm::dvec3;
 constexpr double pi = std::numbers::pi, ground_m = 6360e3, top_m = 6460e3, asymmetry = 0.8;
-constexpr double rayleigh_per_m[] = {5.802e-6, 13.558e-6, 33.1e-6}, ozone_per_m[] = {0.650e-6, 1.881e-6, 0.085e-6};
+constexpr double rayleigh_per_m[] = {7.18e-6, 13.73e-6, 32.22e-6}, ozone_per_m[] = {2.487e-6, 1.795e-6, 0};
 
 struct Coefficients {
   double rayleigh, aerosol, extinction;

@@ -22,7 +22,7 @@ inline Cloudscape white_planet(double sun_deg, double cloud_depth) {
 }
 
 // Rayleigh's scattering at sea level, 1/m (shaders/lib/atmosphere.glsl).
-constexpr std::array rayleigh_of{5.802e-6, 13.558e-6, 33.1e-6};
+constexpr std::array rayleigh_of{7.18e-6, 13.73e-6, 32.22e-6};
 
 // Optical depth of the chord that passes the planet's middle at `b`.
 inline double limb_depth(double b, std::size_t colour, double cloud_per_m) {

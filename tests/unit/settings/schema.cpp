@@ -73,7 +73,7 @@ TEST(Reference, HasARowForEveryKey) {
            "| `single_scattering_albedo` | number in [0, 1] | `1.0` | Scattering over extinction. |",
            "| `kind` | one of none, uniform, clear | `\"clear\"` |",
            "| `threshold` | number in [0, 2] or null | `null` |",
-           "| `irradiance` | array of 3: each number in [0, 1000000] | `[1.474,1.8504,1.91198]` |",
+           "| `irradiance` | array of 3: each number in [0, 1000000] | `[1.983,1.774,1.74]` |",
            "| `resolution` | one of 16, 32, 64, 128, 256, 512 | `128` |",
        })
     EXPECT_THAT(text, HasSubstr(row));

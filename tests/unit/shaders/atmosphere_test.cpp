@@ -22,7 +22,7 @@ TEST(TransmittanceToSpace, MeetsTheClosedFormStraightUp) {
   const double rayleigh_m = 8000 * (1 - std::exp(-12.5)), aerosol_m = 1200;
   const vec3 clear = transmittance_to_space(0, 1, with_haze(0), fine);
   const vec3 hazy = transmittance_to_space(0, 1, with_haze(3), fine);
-  const double rayleigh[] = {5.802e-6L, 13.558e-6L, 33.1e-6L}, ozone[] = {0.650e-6L, 1.881e-6L, 0.085e-6L};
+  const double rayleigh[] = {7.18e-6L, 13.73e-6L, 32.22e-6L}, ozone[] = {2.487e-6L, 1.795e-6L, 0};
   for (int i = 0; i < 3; ++i) {
     const double depth = rayleigh[i] * rayleigh_m + ozone[i] * 15000;
     EXPECT_NEAR(clear[i], std::exp(-depth), 1e-4);
@@ -36,9 +36,9 @@ TEST(TransmittanceToSpace, HasEachConstituentByItsFactor) {
   EXPECT_EQ(depth(none), 0);
   Atmosphere air = none;
   air.rayleigh = 2;
-  EXPECT_NEAR(depth(air), 2 * 13.558e-6L * 8000, 1e-4);
+  EXPECT_NEAR(depth(air), 2 * 13.73e-6L * 8000, 1e-4);
   air = none, air.ozone = 3;
-  EXPECT_NEAR(depth(air), 3 * 1.881e-6L * 15000, 1e-4);
+  EXPECT_NEAR(depth(air), 3 * 1.795e-6L * 15000, 1e-4);
   air = none, air.haze = 2, air.aerosol_scale_m = 3000;
   EXPECT_NEAR(depth(air), 2 * 4.44e-6L * 3000, 1e-4);
 }
