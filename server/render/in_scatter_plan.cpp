@@ -14,8 +14,8 @@ constexpr int fewest_layers = 8, most_layers = 48;
 constexpr double most_points_alone = 100'000;  // tuned: of a body that stands alone, as deep as wide: 1 s to solve
 constexpr int varied_levels = 3;  // tuned: light at the thresholds between is a mixture; more take longer to solve
 // tuned against the path-traced reference: how much of the difference between the fine optical depth and the grid's is
-// seen in the light of the other orders.
-constexpr double fine_shade = 0.12;
+// seen in the light of the other orders, where a point lies deeper than the grid knows.
+constexpr double fine_shade = 0.3;
 
 bool repeats(const Cloudscape& sky) {
   const VolumeKind kind = sky.volume.kind;

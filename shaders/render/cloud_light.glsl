@@ -92,8 +92,9 @@ RayLight ray_light(vec3 direction) {
   float cos_theta = dot(direction, frame.light_direction.xyz);
   bool table = int(cloud.medium.w) == phase_mie;
   light.phase = table ? mie_phase(direction, frame.light_direction.xyz) : vec3(octave_phase(cos_theta, 1.0));
-  // Light that was scattered once goes on by a function of the square of its asymmetry. tuned: by one for 0.85 to 0.87.
-  light.little = octave_phase(cos_theta, 0.87);
+  // Light that was scattered some times, and goes on by a broader function. tuned: of g = 0.85 between that of two times
+  // (0.85 of it) and of three (0.72).
+  light.little = octave_phase(cos_theta, 0.76);
   light.octaves_low = vec4(0.0, cloud.octave_weight_low.yzw) * octave_phases(cos_theta, cloud.octave_asymmetry_low);
   light.octaves_high = vec4(0.0);
   if (cloud.octave_weight_high.x > 0.0)
@@ -139,6 +140,8 @@ vec3 ambient(RayLight light, float h) {
   return cloud.medium.z * (light.above * above + light.beside * beside + light.below * below);
 }
 
+const float deepest_shade = 2.0;  // tuned: what lies deeper yet is lit by the sky, whatever the sun's way
+
 // All light scattered towards the camera at p, where the sun's irradiance is `sun`: the first order by the phase function; light that
 // was scattered but little, and so is still about the sun, by a broader one; and all else from the grid, shaded by how much deeper in
 // the cloud the point lies than the grid knows.
@@ -148,7 +151,7 @@ vec3 light_from_volume(RayLight light, vec3 p, vec3 direction, Land land, vec3 s
   float depth_of_peak = optical_depth * (1.0 - cloud.in_scatter_levels.z);
   float little = light.little * (exp(-depth_of_peak) - beam);
   float deeper = min(depth_of_peak, darkest_depth) - depth_on_grid(others.w);
-  float shade = exp(-cloud.in_scatter_levels.w * clamp(deeper, -3.0, 3.0));
+  float shade = exp(-cloud.in_scatter_levels.w * clamp(deeper, 0.0, deepest_shade));
   return sun * (light.phase * beam + vec3(little)) + others.xyz * shade;
 }
 

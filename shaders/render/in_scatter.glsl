@@ -44,13 +44,13 @@ float far_optical_depth(InScatterPlace place) {
 
 // Light along `direction` over the mean of all directions, once a medium of mean cosine g has scattered it: light whose mean cosine about
 // its own axis was `size`, and `cosine` is that of `direction` about it. Up to the second Legendre moment, which is none for light
-// from a hemisphere (size 1/2) and below, that of a Lambert surface's at 2/3, and 1 for a beam. tuned: half of it by Henyey and
-// Greenstein's function, all of it for a beam: slabs want the one (tests/gpu/render/in_scatter_test.cpp), broken clouds the other.
+// from a hemisphere (size 1/2) and below, that of a Lambert surface's at 2/3, and 1 for a beam. tuned: three quarters of it by Henyey
+// and Greenstein's function, all of it for a beam: slabs want the one (tests/gpu/render/in_scatter_test.cpp), broken clouds the other.
 float scattered_lobe(float cosine, float size, float g) {
   float second = g * g * max(0.0, 2.0 * size - 1.0) * size;
   float even = max(0.0, 1.0 + 3.0 * g * size * cosine + 5.0 * second * (1.5 * cosine * cosine - 0.5));
   float beam = phase_henyey_greenstein(cosine, g * min(size, 0.98)) / phase_isotropic;
-  return mix(even, beam, mix(0.5, 1.0, smoothstep(0.6, 1.0, size)));
+  return mix(even, beam, mix(0.75, 1.0, smoothstep(0.6, 1.0, size)));
 }
 
 // Radiance scattered along `direction` by a medium that scatters all it takes, and the share of the sun's beam that arrives on the grid.
