@@ -55,11 +55,11 @@ TEST(TruthModels, AreChosenByName) {
 TEST(TruthViews, CoverWhatTheyMust) {
   const auto views = views_of("all");
   EXPECT_GE(views.size(), 9);
-  bool mie = false, henyey_greenstein = false, low = false, high = false, above = false;
+  bool low = false, high = false, above = false;
   for (const TruthView& view : views) {
     const Cloudscape& sky = *view.request.cloudscape;
-    mie |= sky.medium.phase.kind == PhaseKind::mie;
-    henyey_greenstein |= sky.medium.phase.kind == PhaseKind::henyey_greenstein;
+    // Next to the forward peak of Mie theory no reference converges in minutes.
+    EXPECT_EQ(sky.medium.phase.kind, PhaseKind::henyey_greenstein) << view.name;
     low |= sky.sun.elevation_deg >= 5 && sky.sun.elevation_deg <= 10;
     high |= sky.sun.elevation_deg >= 60;
     above |= view.request.pose.position_m.z > sky.volume.origin_m.z + sky.volume.size_m.z;
@@ -67,7 +67,7 @@ TEST(TruthViews, CoverWhatTheyMust) {
     EXPECT_EQ(view.request.display.bloom_strength, 0) << view.name;
     EXPECT_FALSE(view.description.empty()) << view.name;
   }
-  EXPECT_TRUE(mie && henyey_greenstein && low && high && above);
+  EXPECT_TRUE(low && high && above);
   EXPECT_THAT(refusal([] { views_of("noom"); }), testing::AllOf(HasSubstr("--views"), HasSubstr("noon")));
 }
 
