@@ -15,7 +15,7 @@ constexpr double most_points_alone = 100'000;  // tuned: of a body that stands a
 constexpr int varied_levels = 3;  // tuned: light at the thresholds between is a mixture; more take longer to solve
 // tuned against the path-traced reference: how much of the difference between the fine optical depth and the grid's is
 // seen in the light of the other orders, where a point lies deeper than the grid knows.
-constexpr double fine_shade = 0.3;
+constexpr double fine_shade = 0.5;
 
 bool repeats(const Cloudscape& sky) {
   const VolumeKind kind = sky.volume.kind;

@@ -140,7 +140,9 @@ vec3 ambient(RayLight light, float h) {
   return cloud.medium.z * (light.above * above + light.beside * beside + light.below * below);
 }
 
-const float deepest_shade = 2.0;  // tuned: what lies deeper yet is lit by the sky, whatever the sun's way
+// tuned: optical depths beyond differ less and less, in what light there is as in what one sees. Without it the grid's cells stand out in
+// dark clouds; more is nearer to the reference.
+const float shade_depth = 3.0;
 
 // All light scattered towards the camera at p, where the sun's irradiance is `sun`: the first order by the phase function; light that
 // was scattered but little, and so is still about the sun, by a broader one; and all else from the grid, shaded by how much deeper in
@@ -150,8 +152,8 @@ vec3 light_from_volume(RayLight light, vec3 p, vec3 direction, Land land, vec3 s
   float beam = exp(-optical_depth);
   float depth_of_peak = optical_depth * (1.0 - cloud.in_scatter_levels.z);
   float little = light.little * (exp(-depth_of_peak) - beam);
-  float deeper = min(depth_of_peak, darkest_depth) - depth_on_grid(others.w);
-  float shade = exp(-cloud.in_scatter_levels.w * clamp(deeper, 0.0, deepest_shade));
+  float deeper = shade_depth * (exp(-depth_on_grid(others.w) / shade_depth) - exp(-depth_of_peak / shade_depth));
+  float shade = exp(-cloud.in_scatter_levels.w * max(deeper, 0.0));
   return sun * (light.phase * beam + vec3(little)) + others.xyz * shade;
 }
 
