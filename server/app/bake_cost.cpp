@@ -1,11 +1,10 @@
 #include "app/bake_cost.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 
+#include "app/temporary_folder.h"
 #include "bake/baker.h"
 
 namespace cloudscape::app {
@@ -20,22 +19,6 @@ struct Cost {
   bake::BakeRecipe recipe;
   std::uint64_t device_bytes = 0, disk_bytes = 0;
   double bake_s = 0, load_s = 0;
-};
-
-// Removed with all that is in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() { fs::create_directories(path_); }
-  ~TemporaryFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_ = fs::temp_directory_path() / ("cloudscape-bake-" + std::to_string(getpid()));
 };
 
 bake::BakedTexels baked(GpuStack& stack, const bake::BakeRecipe& recipe) {

@@ -5,6 +5,7 @@
 #include "app/bench.h"
 #include "app/frame_progress.h"
 #include "app/gpu_stack.h"
+#include "app/temporary_folder.h"
 #include "bench/truth_report.h"
 #include "bench/truth_run.h"
 #include "core/error.h"
@@ -76,7 +77,11 @@ int run_truth(const TruthOptions& options) {
   bench::TruthRun run = run_of(options);
   const fs::path output = options.output;
   if (!output.empty()) make_folder(output, "--output");
-  GpuStack stack(options.gpu, progress_on_stderr());
+  // What a new sun costs is to solve its light, not to read it: nothing may be kept of earlier runs.
+  const TemporaryFolder empty_cache;
+  GpuOptions gpu = options.gpu;
+  if (run.cost_frames > 0) gpu.cache_dir = empty_cache.path();
+  GpuStack stack(gpu, progress_on_stderr());
   run.render = [&](const FrameRequest& request) { return render(stack, request); };
   run.draw = [&](const FrameRequest& request) { return bench::timed_frame(stack.renderer, request); };
   const bench::TruthResults results = bench::run_truth(run);
@@ -110,7 +115,9 @@ void add_bench_truth(CLI::App& bench, Run& run) {
       ->check(CLI::Range(1, 4096));
   command->add_option("--cost-size", options->cost_size, "WIDTHxHEIGHT of the frames that are timed, pixels")
       ->capture_default_str();
-  command->add_option("--cost-frames", options->cost_frames, "Resting frames that are timed; 0: costs are not measured")
+  command
+      ->add_option("--cost-frames", options->cost_frames,
+                   "Resting frames that are timed, with an empty cache; 0: costs are not measured")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000));
   command->add_option("-o,--output", options->output, "Folder for report.json, index.html and the pictures");

@@ -43,8 +43,7 @@ struct Sun {
     visit(
         "irradiance", self.irradiance, Limits{0, 1e6},
         "On a plane normal to the beam above the atmosphere (red, green, blue); the default is the sun's spectrum "
-        "(ASTM "
-        "G-173) in linear sRGB, of which 1, 1, 1 has the luminance of 1 W/m2/nm at all wavelengths. "
+        "(ASTM G-173) in linear sRGB, of which 1, 1, 1 has the luminance of 1 W/m2/nm at all wavelengths. "
         "Radiance comes out in this unit per steradian. Without an atmosphere (sky none or uniform) it arrives whole.");
     visit("angular_radius_deg", self.angular_radius_deg, Limits{0.01, 10}, "Radius of the disc, degrees.");
     visit("disc", self.disc, Limits{}, "Whether the disc can be seen.");

@@ -21,15 +21,15 @@ struct Vertex {
   vec3 position, sun;
 };
 
-void roulette(float u) {
-  float strength = greatest(path.throughput) / weak_throughput;
-  if (strength < 1.0) path.throughput = u < strength ? path.throughput / strength : vec3(0.0);
+// Russian roulette on what is weaker than 1: nothing, or the strength 1.
+vec3 survivor(vec3 light, float strength, float u) {
+  return strength >= 1.0 ? light : u < strength ? light / strength : vec3(0.0);
 }
+void roulette(float u) { path.throughput = survivor(path.throughput, greatest(path.throughput) / weak_throughput, u); }
 
 // Most vertices of a long path have the sun far from ahead and would bring little of it: only some of them look for it.
 void sunlight_roulette(float u, float irradiance) {
-  float strength = greatest(path.sunlight) / (weak_sunlight_per_sr * irradiance);
-  if (strength < 1.0) path.sunlight = u < strength ? path.sunlight / strength : vec3(0.0);
+  path.sunlight = survivor(path.sunlight, greatest(path.sunlight) / (weak_sunlight_per_sr * irradiance), u);
 }
 
 // Far out 32 bits know no shorter way than this one, and a ray must not stop.

@@ -28,7 +28,7 @@ Vertex scatter() {
   ++path.order;
   path.throughput *= cloud.medium.y / cloud.medium.x;
   path.sunlight = path.throughput * phase_value(path.direction, sun.direction) * sun.irradiance;
-  if (path.order > 1u) sunlight_roulette(u.z, greatest(sun.irradiance));
+  if (path.order > 1u) sunlight_roulette(u.z, greatest(sun.irradiance));  // the path has the same number: each is right on average
   Scattered scattered = scattered_from(path.direction);
   path.next_direction = scattered.direction;
   path.hue *= scattered.likelihood;
