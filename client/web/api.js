@@ -31,6 +31,11 @@ export async function list_cloudscapes(token) {
   return (await response.json()).cloudscapes;
 }
 
+export async function list_stills(token) {
+  const response = await api_fetch('api/v1/stills/named', token, { cache: 'no-cache' });
+  return (await response.json()).stills;
+}
+
 export function stream_url() {
   const url = new URL('api/v1/stream', document.baseURI);
   url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';

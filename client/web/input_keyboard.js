@@ -6,9 +6,10 @@ const axes = {
   ArrowRight: ['turn_right', 1], ArrowLeft: ['turn_right', -1], ArrowUp: ['turn_up', 1], ArrowDown: ['turn_up', -1],
 };
 
-// Form controls keep the keys that they use themselves.
+// Form controls keep the keys that they use themselves, an open dialog keeps all.
 function is_taken(event) {
   const { target, code } = event;
+  if (document.querySelector('dialog[open]')) return true;
   if (event.ctrlKey || event.metaKey || event.altKey) return true;
   if (target.matches?.('select, textarea, input[type=text], input[type=password]')) return true;
   if (code === 'Space') return Boolean(target.matches?.('button, input, summary'));

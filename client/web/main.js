@@ -5,6 +5,7 @@ import { explain, list_cloudscapes } from './api.js';
 import { FlightCamera, sum_intents } from './camera.js';
 import { wait_ms } from './connection.js';
 import { Display } from './display.js';
+import { Gallery } from './gallery.js';
 import { Hud, Measures, stage_word } from './hud.js';
 import { GamepadInput } from './input_gamepad.js';
 import { KeyboardInput } from './input_keyboard.js';
@@ -203,6 +204,11 @@ const panel = new Panel({
 });
 const stills = new Stills({ state, token: () => store.token, window_size_px });
 const still_panel = new StillPanel({ root: $('panel'), stills, window_size_px });
+
+new Gallery({
+  dialog: $('gallery'), opener: $('gallery_open'), token: () => store.token,
+  on_fly: view => { location.hash = view; }, on_error: sentence => notices.toast(sentence, 6000),
+});
 
 const show_panel = shown => toggle_panel($('panel'), $('show'), shown);
 const toggle_hud = () => store.set('hud', document.body.classList.toggle('no-hud') ? 'off' : 'on');

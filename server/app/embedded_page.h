@@ -1,7 +1,8 @@
-// The web page, compiled into the program by server/app/CMakeLists.txt.
+// The web page, and the pictures of its gallery by the names of their stills, compiled into the program by
+// server/app/CMakeLists.txt.
 #pragma once
 #include "core/embedded.h"
 
 namespace cloudscape {
-extern const EmbeddedFiles embedded_page;
+extern const EmbeddedFiles embedded_page, embedded_pictures;
 }

@@ -98,7 +98,8 @@ int run_serve(const ServeOptions& options) {
                       library,
                       metrics,
                       embedded_page,
-                      {[&disk](auto task) { disk.run(std::move(task)); }, encode::open_container}});
+                      {[&disk](auto task) { disk.run(std::move(task)); }, encode::open_container},
+                      embedded_pictures});
   const auto on_ready = [&server] {
     std::printf("ready: %s\n", server.ready_link().c_str());
     std::fflush(stdout);

@@ -69,8 +69,12 @@ Json still_body() {
 }
 
 Json named_stills() {
-  Json entry{{"type", "object"}, {"required", {"name", "title", "description"}}};
-  for (const char* name : {"name", "title", "description"}) entry["properties"][name] = {{"type", "string"}};
+  const std::vector<std::string> members{"name", "title", "description", "view"};
+  Json entry{{"type", "object"}, {"required", members}};
+  for (const std::string& name : members) entry["properties"][name] = {{"type", "string"}};
+  entry["properties"]["view"]["description"] =
+      "Parameters that show the same place in the same light, of getStill and of a link to the page; empty if that is "
+      "more than a stream can show.";
   const Json list{{"type", "object"},
                   {"required", {"stills"}},
                   {"properties", {{"stills", {{"type", "array"}, {"items", entry}}}}}};

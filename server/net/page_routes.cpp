@@ -13,6 +13,7 @@ std::string media_type(std::string_view path) {
       {"css", "text/css; charset=utf-8"},
       {"svg", "image/svg+xml"},
       {"png", "image/png"},
+      {"jpg", "image/jpeg"},
       {"ico", "image/x-icon"},
       {"json", "application/json"},
       {"webmanifest", "application/manifest+json"},
@@ -36,6 +37,8 @@ void add_page_routes(Router& router, const Site& site) {
     router.add({"/" + std::string(file.path), true, {{Method::get, serve(file)}}});
     if (file.path == "index.html") router.add({"/", true, {{Method::get, serve(file)}}});
   }
+  for (const EmbeddedFile& file : site.parts.pictures)
+    router.add({"/pictures/" + std::string(file.path), true, {{Method::get, serve(file)}}});
 }
 
 }  // namespace cloudscape::net

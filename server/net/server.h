@@ -36,6 +36,7 @@ struct Parts {
   Metrics& metrics;
   EmbeddedFiles page;  // index.html and what it loads
   JobParts jobs = {};
+  EmbeddedFiles pictures = {};  // of the gallery: NAME.jpg, of the still of that name
 };
 
 class Server {

@@ -57,7 +57,8 @@ Answer post_still(const Request& request, Site& site) {
 Response list(const Request& request) {
   nlohmann::ordered_json entries = nlohmann::ordered_json::array();
   for (const auto& entry : settings::named_stills())
-    entries.push_back({{"name", entry.name}, {"title", entry.title}, {"description", entry.description}});
+    entries.push_back(
+        {{"name", entry.name}, {"title", entry.title}, {"description", entry.description}, {"view", entry.view}});
   const std::string text = nlohmann::ordered_json{{"stills", entries}}.dump();
   return revalidated(request, json_response(200, text), quoted_etag(text));
 }

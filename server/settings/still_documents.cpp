@@ -15,19 +15,33 @@ namespace {
 
 constexpr std::size_t max_file_bytes = 256 * 1024;  // as a cloudscape's, which it may hold
 
-StillHeading heading_of(const EmbeddedFile& file) {
-  const nlohmann::json json = parse_json(file.bytes, std::string(file.path));
-  StillHeading heading;
-  heading.title = json.value("title", "");
-  heading.description = json.value("description", "");
-  return heading;
+using nlohmann::json;
+
+std::string view_of(const json& still) {
+  if (!still.at("cloudscape").is_string()) return "";
+  if (still.value("/camera/lens/kind"_json_pointer, "perspective") != "perspective") return "";
+  std::string view = "cloudscape=" + still["cloudscape"].get<std::string>();
+  const auto add = [&](const char* name, const json::json_pointer& place) {
+    if (!still.contains(place)) return;
+    const json& value = still[place];
+    view += std::string("&") + name + '=' +
+            (value.is_array() ? value.dump().substr(1, value.dump().size() - 2) : value.dump());
+  };
+  add("position", "/camera/position_m"_json_pointer);
+  add("azimuth_deg", "/camera/azimuth_deg"_json_pointer);
+  add("elevation_deg", "/camera/elevation_deg"_json_pointer);
+  add("vertical_fov_deg", "/camera/lens/vertical_fov_deg"_json_pointer);
+  add("sun_azimuth_deg", "/sun/azimuth_deg"_json_pointer);
+  add("sun_elevation_deg", "/sun/elevation_deg"_json_pointer);
+  add("exposure_ev", "/image/exposure_ev"_json_pointer);
+  return view;
 }
 
 std::vector<StillEntry> entries_of(EmbeddedFiles files) {
   std::vector<StillEntry> entries;
   for (const EmbeddedFile& file : files) {
-    const StillHeading heading = heading_of(file);
-    entries.push_back({document_name(file), heading.title, heading.description});
+    const json still = parse_json(file.bytes, std::string(file.path));
+    entries.push_back({document_name(file), still.value("title", ""), still.value("description", ""), view_of(still)});
   }
   return entries;
 }

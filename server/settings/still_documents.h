@@ -14,6 +14,9 @@ struct StillDocument {
 
 struct StillEntry {
   std::string name, title, description;
+  // Where it is seen from, and in what light, as parameters of GET /api/v1/stills and of a link to the page; "" if that
+  // is more than a stream can show: a document of its own, or another lens than a perspective one.
+  std::string view;
 };
 
 std::vector<StillEntry> named_stills();

@@ -107,6 +107,25 @@ test('the view survives a restart of the server', async t => {
   assert.ok(difference(again, picture) < changed, `differs by ${difference(again, picture)}`);
 });
 
+test('the gallery shows pictures, and a way to where they were taken', { skip: !program }, async t => {
+  const { page, faults } = await open_view(t);
+  await page.click('#gallery_open');
+  const pictures = page.locator('#pictures img');
+  await pictures.first().waitFor();
+  assert.ok(await pictures.count() >= 10);
+  for (const picture of await pictures.all()) {
+    await picture.scrollIntoViewIfNeeded();
+    await picture.evaluate(image => image.decode());
+    assert.ok(await picture.evaluate(image => image.naturalWidth) >= 400, await picture.getAttribute('alt'));
+  }
+  await page.locator('#pictures figure', { hasText: 'Above the deck' }).getByRole('button').click();
+  await page.waitForFunction(() => location.hash.includes('cloudscape=stratocumulus-deck'));
+  await page.waitForFunction(() => document.body.dataset.stream === 'live');
+  assert.equal(await page.locator('#gallery').evaluate(dialog => dialog.open), false);
+  assert.equal(await page.locator('#sun_elevation_deg').inputValue(), '7');
+  assert.deepEqual(faults, []);
+});
+
 test('a still is saved as PNG and as EXR', async t => {
   const { page } = await open_view(t);
   await page.click('#still_open');

@@ -65,6 +65,13 @@ test('the page is there, whole, and revalidates', async () => {
 test('stills that have names are listed and rendered', async () => {
   const list = (await described('/api/v1/stills/named')).json().stills;
   assert.ok(list.some(still => still.name === 'fog-bow' && still.title && still.description), JSON.stringify(list));
+  for (const { name } of list) {
+    const shown = await server.fetch(`/pictures/${name}.jpg`);
+    assert.equal(shown.status, 200, name);
+    assert.equal(shown.headers.get('content-type'), 'image/jpeg');
+  }
+  const { view } = list.find(still => still.name === 'above-the-deck');
+  assert.equal((await described(`/api/v1/stills?${view}&width=32&height=24&quality=draft`)).status, 200, view);
   const picture = await described('/api/v1/stills?still=fog-bow&width=32&height=24&quality=draft&samples=1&cloudscape=' + cloudscape);
   assert.equal(picture.status, 200);
   const unknown = await described('/api/v1/stills?still=fog-bwo');

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "settings/still_request.h"
 #include "settings/text_file.h"
@@ -84,6 +85,37 @@ TEST_F(StillDocuments, HeadingsChangeNothingOfThePicture) {
   };
   EXPECT_EQ(titled("One"), titled("Two"));
   EXPECT_EQ(refused(R"({"cloudscape": "overcast", "title": 7})", "").sentence, "/title is 7: must be a string");
+}
+
+Parameters parameters_of(const std::string& view) {
+  Parameters parameters;
+  std::istringstream all(view);
+  for (std::string each; std::getline(all, each, '&');)
+    parameters.emplace_back(each.substr(0, each.find('=')), each.substr(each.find('=') + 1));
+  return parameters;
+}
+
+// As parameters, without the document: the same place in the same light.
+TEST_F(StillDocuments, TheirViewsAreParameters) {
+  int views = 0;
+  for (const StillEntry& entry : named_stills()) {
+    if (entry.view.empty()) continue;
+    ++views;
+    const FrameRequest still = still_from_parameters({{"still", entry.name}}, library, {}).frame;
+    const FrameRequest seen = still_from_parameters(parameters_of(entry.view), library, {}).frame;
+    EXPECT_EQ(seen.pose.position_m, still.pose.position_m) << entry.name;
+    EXPECT_EQ(seen.pose.azimuth_deg, still.pose.azimuth_deg) << entry.name;
+    EXPECT_EQ(seen.pose.elevation_deg, still.pose.elevation_deg) << entry.name;
+    EXPECT_TRUE(seen.lens == still.lens) << entry.name;
+    EXPECT_EQ(seen.display.exposure_ev, still.display.exposure_ev) << entry.name;
+    EXPECT_TRUE(seen.cloudscape->sun == still.cloudscape->sun) << entry.name;
+    EXPECT_TRUE(seen.cloudscape->medium == still.cloudscape->medium) << entry.name;
+  }
+  EXPECT_GE(views, 5);
+  for (const StillEntry& entry : named_stills()) {
+    const bool more_than_a_stream_shows = entry.name == "fog-bow" || entry.name == "panorama";
+    EXPECT_TRUE(entry.view.empty() || !more_than_a_stream_shows) << entry.name;
+  }
 }
 
 TEST_F(StillDocuments, ErrorsNameTheFileOrTheParameter) {
