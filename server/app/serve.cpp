@@ -91,7 +91,9 @@ int run_serve(const ServeOptions& options) {
   std::signal(SIGPIPE, SIG_IGN);
   Metrics metrics;
   settings::CloudscapeLibrary library(settings.cloudscapes_dir);
-  stream::FrameScheduler scheduler({settings.target_frame_ms, static_cast<std::size_t>(settings.still_queue)}, metrics);
+  stream::FrameScheduler scheduler(
+      {.target_frame_ms = settings.target_frame_ms, .still_queue = static_cast<std::size_t>(settings.still_queue)},
+      metrics);
   EncodePool disk(1);
   net::Server server({settings,
                       scheduler,

@@ -38,6 +38,7 @@ struct FrameRequest {
   int first_sample = 0;        // 0 starts anew; n continues the average that the stream's frames before have built
   bool light_may_lag = false;  // a moving picture may show the clouds in the light of a moment ago
   Tracing tracing;             // where the quality's technique is path tracing
+  double sample_share = 1;     // side of what a pixel's sample stands for, in pixels
 };
 
 struct FrameTimings {

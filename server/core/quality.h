@@ -27,6 +27,10 @@ struct RenderQuality {
   bool float32 = false;       // 32 bit HDR targets instead of 16
   bool smooth = false;        // a 3x3 mean instead of samples; for 16 bit targets
   Technique technique = Technique::march;
+  // Of moving pictures, which continue their stream's last one; a picture that nothing was kept for begins with what
+  // it marches itself. Both are for perspective lenses.
+  int reuse = 1;               // one in so many kept pixels is marched, the others come from the last picture: 1, 4, 16
+  int resolution_divisor = 1;  // the picture is kept at 1/n of the width and height, and enlarged as it is shown
   bool operator==(const RenderQuality&) const = default;
 };
 

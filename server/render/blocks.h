@@ -14,6 +14,7 @@ using glm::ivec4, glm::uvec4, glm::vec4;
 #include "shared/density_block.glsl"
 #include "shared/frame_block.glsl"
 #include "shared/in_scatter_block.glsl"
+#include "shared/resolve_block.glsl"
 #include "shared/sky_block.glsl"
 #include "shared/terrain_block.glsl"
 #include "shared/trace_block.glsl"

@@ -68,7 +68,8 @@ FrameBlock frame_block(const FrameRequest& request, int sample) {
                   wrapped(request.pose.position_m.y, ground_period_m), 0};
   block.display = {std::exp2(request.display.exposure_ev), static_cast<int>(request.display.tone_curve),
                    request.display.bloom_strength, request.display.bloom_threshold};
-  block.accumulation = {1.0 / (sample + 1), request.quality.float32 ? largest_float : largest_half, 1, 0};
+  block.accumulation = {1.0 / (sample + 1), request.quality.float32 ? largest_float : largest_half, 1,
+                        request.sample_share};
   set_lights(block, request);
   return block;
 }

@@ -74,9 +74,10 @@ void set_moon(FrameBlock& block, const Cloudscape& sky, Light& light) {
   block.moon_radiance = xyz_w(light.irradiance / (solid_angle(moon.angular_radius_deg) * lit_share), 0);
 }
 
-// Width of a pixel in the middle of the picture, radians.
+// Width of what a sample stands for in the middle of the picture, radians.
 double pixel_angle(const FrameRequest& request) {
-  const double height = request.size_px.height, smaller = std::min(request.size_px.width, request.size_px.height);
+  const double height = request.size_px.height / request.sample_share;
+  const double smaller = std::min(request.size_px.width, request.size_px.height) / request.sample_share;
   switch (request.lens.kind) {
     case LensKind::perspective:
       return 2 * std::tan(0.5 * request.lens.vertical_fov_deg * radians_per_degree) / height;

@@ -26,6 +26,7 @@ class Passes {
   void composite(const Targets& targets, const Accumulation& previous) const;
   // With the glow of `targets.bloom`, if there is one.
   void tone_map(const Targets& targets, const Accumulation& accumulation) const;
+  const Bloom& bloom() const { return bloom_; }
   void reload(gpu::ShaderLibrary& shaders);
 
  private:

@@ -49,6 +49,7 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
       sky_(context, shaders),
       in_scatter_(shaders, bake::LightCache(bakes.files())),
       terrain_(context, shaders, std::move(height_maps)),
+      resolver_(context, shaders),
       tracer_(context, shaders),
       frame_block_("frame"),
       cloud_block_("cloud") {}
@@ -63,6 +64,12 @@ Renderer::History& Renderer::history_of(const FrameRequest& request) {
 std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
   auto job = std::make_unique<RenderJob>();
   job->request = request;
+  if (continues_picture(request)) {
+    job->resolved = resolver_.begin(request);
+    job->request = marched_request(request, job->resolved->plan);
+    job->sample = job->last_sample = marched_sample(job->resolved->plan, job->resolved->frame);
+    return job;
+  }
   const History& history = history_of(request);
   job->sample = request.first_sample == history.samples ? request.first_sample : 0;
   job->last_sample = job->sample + std::max(1, request.quality.samples) - 1;
@@ -165,7 +172,12 @@ int Renderer::rows_of_next_slice(const RenderJob& job) const {
 
 // The blocks of a sample, which others may have used in between, and the tables of its sky.
 SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
-  const FrameBlock frame = frame_block(job.request, sample);
+  FrameBlock frame = frame_block(job.request, sample);
+  if (job.resolved) {
+    const glm::dvec2 offset = marched_offset(job.resolved->plan, job.resolved->frame);
+    frame.lens.z = static_cast<float>(offset.x), frame.lens.w = static_cast<float>(offset.y);
+    frame.accumulation.x = 1;  // each is a picture of its own
+  }
   CloudBlock cloud = cloud_block(job.request, *job.baked);
   if (job.phase) cloud.phase.x = static_cast<float>(job.phase->mean_asymmetry_g);
   set_mean_cosine(cloud, mean_cosine(job.request.cloudscape->medium.phase, cloud.phase.x));
@@ -192,6 +204,12 @@ void Renderer::render_rows(RenderJob& job) {
 }
 
 void Renderer::finish_sample(RenderJob& job) {
+  if (job.resolved) {
+    passes_.composite(*job.targets, Accumulation{});
+    resolver_.resolve(*job.resolved, job.targets->scratch);
+    ++job.sample;
+    return;
+  }
   History& history = history_of(job.request);
   passes_.composite(*job.targets, history.accumulation);
   std::swap(history.accumulation, job.targets->scratch);
@@ -202,6 +220,7 @@ void Renderer::finish_sample(RenderJob& job) {
 PendingFrame Renderer::finish(std::unique_ptr<RenderJob> job) {
   const auto start = Clock::now();
   PendingFrame pending;
+  if (job->resolved) return finish_resolved(std::move(job));
   const History& history = history_of(job->request);
   pending.samples = history.samples;
   if (job->request.content == FrameContent::display) {
@@ -217,6 +236,23 @@ PendingFrame Renderer::finish(std::unique_ptr<RenderJob> job) {
   }
   context_.flush();
   pending.request = std::move(job->request);
+  pending.timings.render_ms = job->render_ms + ms_since(start);
+  pending.timer = std::move(job->timer);
+  pool_.release(std::move(job->targets));
+  return pending;
+}
+
+PendingFrame Renderer::finish_resolved(std::unique_ptr<RenderJob> job) {
+  const auto start = Clock::now();
+  frame_block_.upload(frame_block(job->resolved->asked, 0));
+  frame_block_.bind();
+  resolver_.present(*job->resolved, passes_.bloom());
+  PendingFrame pending;
+  pending.samples = 1;
+  pending.shown = job->resolved->display;
+  pending.display = gpu::Readback(*pending.shown);
+  context_.flush();
+  pending.request = std::move(job->resolved->asked);
   pending.timings.render_ms = job->render_ms + ms_since(start);
   pending.timer = std::move(job->timer);
   pool_.release(std::move(job->targets));
@@ -261,10 +297,13 @@ void Renderer::abandon(std::unique_ptr<RenderJob> job) {
   if (job->targets) pool_.release(std::move(job->targets));
 }
 
-void Renderer::forget(StreamId stream) { histories_.erase(stream); }
+void Renderer::forget(StreamId stream) {
+  histories_.erase(stream);
+  resolver_.forget(stream);
+}
 
 std::vector<StreamId> Renderer::remembered() const {
-  std::vector<StreamId> streams;
+  std::vector<StreamId> streams = resolver_.remembered();
   for (const auto& [stream, history] : histories_) streams.push_back(stream);
   return streams;
 }
@@ -274,11 +313,12 @@ void Renderer::reload_shaders() {
   sky_.reload(shaders_);
   in_scatter_.reload(shaders_);
   terrain_.reload(shaders_);
+  resolver_.reload(shaders_);
   tracer_.reload();
 }
 
 std::size_t Renderer::history_bytes() const {
-  std::size_t sum = 0;
+  std::size_t sum = resolver_.bytes();
   for (const auto& [stream, history] : histories_) sum += history.accumulation.bytes();
   return sum;
 }

@@ -16,6 +16,7 @@
 #include "gpu/readback.h"
 #include "render/passes.h"
 #include "render/path_tracer.h"
+#include "render/resolver.h"
 #include "render/terrain_stage.h"
 
 namespace cloudscape::render {
@@ -28,10 +29,11 @@ struct RenderJob {
   std::shared_ptr<const InScatterVolume> in_scatter;  // where its light model needs one
   Land land;
   std::unique_ptr<Targets> targets;
-  int sample = 0, last_sample = 0;  // indices in the average
-  int row = 0;                      // of the march target, next to render
-  std::unique_ptr<Trace> trace;     // where the quality's technique is path tracing
-  gpu::Texture standard_error;      // of a traced picture that is done
+  int sample = 0, last_sample = 0;        // indices in the average
+  int row = 0;                            // of the march target, next to render
+  std::unique_ptr<Trace> trace;           // where the quality's technique is path tracing
+  std::optional<ResolvedFrame> resolved;  // a frame of a moving picture: `request` marches its part of it
+  gpu::Texture standard_error;            // of a traced picture that is done
   double render_ms = 0;
   gpu::Timer timer;
 };
@@ -43,6 +45,7 @@ struct PendingFrame {
   FrameTimings timings;
   gpu::Readback display, radiance, depth, standard_error;
   gpu::Timer timer;
+  std::shared_ptr<gpu::Texture> shown;  // is read back
   bool ready() const;
 };
 
@@ -78,6 +81,7 @@ class Renderer {
   SkyTables::Set bind_blocks(const RenderJob& job, int sample);
   void render_rows(RenderJob& job);
   void finish_sample(RenderJob& job);
+  PendingFrame finish_resolved(std::unique_ptr<RenderJob> job);
   int rows_of_next_slice(const RenderJob& job) const;
 
   const gpu::Context& context_;
@@ -88,6 +92,7 @@ class Renderer {
   SkyTables sky_;
   InScatterVolumes in_scatter_;
   TerrainStage terrain_;
+  Resolver resolver_;
   PathTracer tracer_;
   TargetPool pool_;
   gpu::UniformBlock<FrameBlock> frame_block_;

@@ -32,6 +32,7 @@ std::unique_ptr<Targets> make_targets(ImageSize size, int divisor, bool float32,
   }
   targets->display = Texture(Format::rgba8, size.width, size.height, "display");
   targets->scratch = make_accumulation(size);
+  targets->scratch.radiance.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
   return targets;
 }
 

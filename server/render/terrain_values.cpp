@@ -14,9 +14,11 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 
 double wrapped(double value, double period) { return value - period * std::floor(value / period); }
 
-// Width of a pixel in the middle of the picture: that of parallel rays (m), and growth for each metre of distance.
+// Width of what a sample stands for in the middle of the picture: that of parallel rays (m), and growth for each metre
+// of distance.
 glm::dvec2 pixel_widths(const FrameRequest& request) {
-  const double width = request.size_px.width, height = request.size_px.height;
+  const double width = request.size_px.width / request.sample_share;
+  const double height = request.size_px.height / request.sample_share;
   switch (request.lens.kind) {
     case LensKind::perspective:
       return {0, 2 * std::tan(0.5 * request.lens.vertical_fov_deg * radians_per_degree) / height};

@@ -54,7 +54,7 @@ struct ServerSettings {
   double idle_hangup_s = 20;
   double drain_s = 10;
   double messages_per_s = 240;
-  double target_frame_ms = 50;
+  double target_frame_ms = 33;
   bool operator==(const ServerSettings&) const = default;
 
   static void fields(auto& self, auto&& visit) {

@@ -47,7 +47,8 @@ struct StreamView {
 };
 
 struct SchedulerOptions {
-  double target_frame_ms = 50;   // of a moving view: march_divisor adapts to it
+  double target_frame_ms = 33;   // of a moving view: its detail adapts to it
+  std::size_t first_detail = 3;  // of a new stream's moving frames, of `moving_details`
   std::size_t still_queue = 16;  // stills that wait or render; one more is refused
   int max_in_flight = 3;         // frames of one stream without acknowledgement, at most
   // tuned: longer than the pause in which a moving stream waits for its acknowledgement.

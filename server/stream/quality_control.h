@@ -1,4 +1,4 @@
-// What a moving frame may cost: how coarsely its clouds are marched, from its render time, and how hard its JPEG is
+// What a moving frame may cost: how much of it is marched anew, from its render time, and how hard its JPEG is
 // compressed, from the queue in front of the viewer. Both give way fast and return slowly.
 #pragma once
 #include <array>
@@ -6,27 +6,35 @@
 
 namespace cloudscape::stream {
 
-// march_divisor of moving frames, so that a frame renders within the target.
-class MarchControl {
+// How much of a moving picture is marched anew in each frame, and at which resolution it is kept (core/quality.h).
+struct MovingDetail {
+  int reuse = 1, resolution_divisor = 1;
+  bool operator==(const MovingDetail&) const = default;
+};
+// Finest first; each costs less than the one before.
+constexpr std::array<MovingDetail, 7> moving_details{{{1, 1}, {4, 1}, {16, 1}, {4, 2}, {16, 2}, {16, 3}, {16, 4}}};
+
+// The detail of moving frames, so that a frame renders within the target.
+class DetailControl {
  public:
-  explicit MarchControl(double target_frame_ms) : target_ms_(target_frame_ms) {}
-  int divisor() const { return divisor_; }
-  void rendered(int divisor, double render_ms);
+  DetailControl(double target_frame_ms, std::size_t first) : target_ms_(target_frame_ms), level_(first) {}
+  const MovingDetail& detail() const { return moving_details[level_]; }
+  void rendered(const MovingDetail& detail, double render_ms);
 
  private:
-  static constexpr std::size_t first_patience = 8;  // tuned: frames at a divisor before a finer one
+  static constexpr std::size_t first_patience = 8;  // tuned: frames at a level before a finer one
 
   void too_slow(double render_ms);
   void look_for_finer();
-  void change_to(int divisor);
-  int finest_affordable(double marched_share) const;
+  void change_to(std::size_t level);
+  std::size_t finest_affordable(double following_share) const;
 
   double target_ms_;
-  int divisor_ = 1;
-  std::size_t held_ = 0;                            // frames at this divisor
+  std::size_t level_;
+  std::size_t held_ = 0;                            // frames at this level
   std::array<double, first_patience> recent_ms_{};  // of the last of them
   double slow_ms_ = 0;                              // the frame before, if it was too slow
-  bool tried_finer_ = false;                        // this divisor is a bold try
+  bool tried_finer_ = false;                        // this level is a bold try
   std::size_t patience_ = first_patience;
 };
 

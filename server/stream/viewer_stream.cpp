@@ -31,7 +31,7 @@ ViewerStream::ViewerStream(StreamId id, const StreamView& view, const SchedulerO
       rendered_at_(now),
       flights_(options.max_in_flight),
       meter_(now),
-      march_(options.target_frame_ms),
+      detail_(options.target_frame_ms, options.first_detail),
       jpeg_(options.target_frame_ms) {}
 
 bool ViewerStream::update(const StreamView& view, Time now) {
@@ -71,9 +71,17 @@ StreamStats ViewerStream::stats(Time now) const {
 
 Time ViewerStream::rested_at() const { return std::max(moved_at_ + settle, rendered_at_); }
 
+// A moving picture is put together from several frames: those of a view that has just come to rest follow at once, so
+// that it is sharp before it is refined.
+bool ViewerStream::steadying() const {
+  return !moved_ && !given_up_ && accumulated_ == 0 && steadied_ + 1 < detail_.detail().reuse &&
+         rendered_at_ < moved_at_ + settle;
+}
+
 std::optional<Time> ViewerStream::ready_at() const {
   if (work_) return yielded_ ? std::optional(work_->queued) : std::nullopt;
   if (moved_) return flights_.has_room() ? std::optional(moved_since_) : std::nullopt;
+  if (steadying()) return flights_.has_room() ? std::optional(rendered_at_) : std::nullopt;
   // One refined frame at a time: they are large, and the next motion waits behind what is in flight.
   const bool refined = given_up_ || accumulated_ >= render_quality(marched(view_.quality)).samples;
   return refined || flights_.size() > 0 ? std::nullopt : std::optional(rested_at());
@@ -81,7 +89,7 @@ std::optional<Time> ViewerStream::ready_at() const {
 
 Work ViewerStream::take(Time now) {
   if (!work_) {
-    work_ = moved_ ? moving_frame() : refining_frame();
+    work_ = moved_ ? moving_frame() : steadying() ? steadying_frame() : refining_frame();
     work_->queued = std::min(work_->queued, now);
     ++next_frame_id_;
     ++sequence_;
@@ -117,14 +125,23 @@ Work ViewerStream::moving_frame() {
   moved_ = false;
   view_frame_id_ = next_frame_id_;
   accumulated_ = 0;
+  steadied_ = -1;
   given_up_ = false;
+  Work work = steadying_frame();
+  work.queued = moved_since_;
+  return work;
+}
+
+Work ViewerStream::steadying_frame() {
+  ++steadied_;
   RenderQuality quality = render_quality(Quality::interactive);
-  quality.march_divisor = march_.divisor();
+  quality.reuse = detail_.detail().reuse;
+  quality.resolution_divisor = detail_.detail().resolution_divisor;
   quality.samples = 1;
   Work work = next_frame(quality, {ImageFormat::jpeg, jpeg_.quality(), ChromaSubsampling::half});
   work.quality_stage = moving_stage;
   work.request.light_may_lag = true;
-  work.queued = moved_since_;
+  work.queued = rendered_at_;
   return work;
 }
 
@@ -156,7 +173,7 @@ bool ViewerStream::rendered(const Work& work, double render_ms, Time now) {
   if (!in_render(work)) return false;
   const RenderQuality& quality = work.request.quality;
   if (work.quality_stage == moving_stage)
-    march_.rendered(quality.march_divisor, render_ms);
+    detail_.rendered({quality.reuse, quality.resolution_divisor}, render_ms);
   else
     accumulated_ = work.request.first_sample + quality.samples;
   flights_.rendered(work.frame_id, work.quality_stage == moving_stage, render_ms);

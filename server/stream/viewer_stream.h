@@ -31,7 +31,9 @@ class ViewerStream {
 
  private:
   Time rested_at() const;
+  bool steadying() const;
   Work moving_frame();
+  Work steadying_frame();
   Work refining_frame() const;
   Work next_frame(const RenderQuality& quality, const Encoding& encoding) const;
   void forget_work();
@@ -50,12 +52,13 @@ class ViewerStream {
   std::uint32_t view_frame_id_ = 1;  // the first frame of the view that is shown
   std::uint64_t sequence_ = 0;
   int accumulated_ = 0;  // samples in the average of the view that is shown
+  int steadied_ = 0;     // moving frames of the view that is shown, after its first
   bool given_up_ = false;
   double render_ms_ = 0, encode_ms_ = 0;
   std::uint64_t dropped_ = 0;
   Flights flights_;
   FrameMeter meter_;
-  MarchControl march_;
+  DetailControl detail_;
   JpegControl jpeg_;
 };
 

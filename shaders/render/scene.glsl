@@ -11,7 +11,7 @@ const float ground_terrain = 2.0;
 Surface plain_surface(CameraRay ray, float distance_m) {
   vec3 p = ray.origin + ray.direction * distance_m;
   float pixel_angle = frame.size.z == 0 ? 2.0 * frame.lens.x / float(frame.size.y) : 2.0 / float(frame.size.y);
-  float footprint_m = distance_m * pixel_angle / max(0.02, abs(ray.direction.z));
+  float footprint_m = frame.accumulation.w * distance_m * pixel_angle / max(0.02, abs(ray.direction.z));
   vec3 albedo = frame.ground_albedo.xyz * ground_tint(p.xy + frame.ground.yz, footprint_m, frame.ground_albedo.w);
   vec3 up = normalize(vec3(p.xy, p.z + planet_radius_m));
   float mu = dot(up, frame.light_direction.xyz);

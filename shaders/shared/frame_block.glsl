@@ -17,7 +17,8 @@
    aerosol: asymmetry, 0, 0, 0.
    ground_albedo: rgb, variation. ground: kind, fields' offset east and north (m), 0.
    display: 2^exposure, tone curve, strength and threshold (exposed luminance) of the bloom.
-   accumulation: weight of the new sample, greatest radiance that the targets hold, what radiance is multiplied by in them, 0. */
+   accumulation: weight of the new sample, greatest radiance that the targets hold, what radiance is multiplied by in them,
+   side of what a pixel's sample stands for (pixels). */
 #define FRAME_FIELDS(F) \
   F(vec4, camera_right) \
   F(vec4, camera_up) \

@@ -43,7 +43,7 @@ TEST_F(LifecycleTest, ids_of_streams_and_stills_are_never_used_twice) {
   const auto still = scheduler.submit_still({}, {});
   scheduler.close(stream);
   scheduler.cancel_still(*still);
-  FrameScheduler other({}, metrics);
+  FrameScheduler other(whole_frames(), metrics);
   EXPECT_GT(*still, stream);
   EXPECT_GT(other.open(looking(0)), *still);
 }
@@ -120,7 +120,7 @@ TEST_F(LifecycleTest, nothing_is_taken_or_wanted_after_stop) {
 // On the real clock.
 class WaitingTest : public SchedulerTest {
  protected:
-  FrameScheduler real{{}, metrics};
+  FrameScheduler real{whole_frames(), metrics};
   static Time in(double time_ms) { return std::chrono::steady_clock::now() + ms(time_ms); }
 };
 

@@ -10,82 +10,92 @@ namespace {
 
 constexpr double target_ms = 50;
 
-// A frame costs a part that every frame pays and a part that follows the marched pixels.
+// A frame costs a part that every frame pays, one that follows the marched pixels and one that follows the kept ones.
 struct Cost {
   double fixed_ms, marched_ms;
-  double of(int divisor) const { return fixed_ms + marched_ms / (divisor * divisor); }
+  double of(const MovingDetail& detail) const {
+    const double kept = 1.0 / (detail.resolution_divisor * detail.resolution_divisor);
+    return fixed_ms + marched_ms * (kept / detail.reuse + 0.05 * kept);
+  }
 };
 
-struct March {
-  MarchControl control{target_ms};
+struct Moving {
+  DetailControl control{target_ms, 3};
   int changes = 0;
   std::mt19937 random{1};
 
   void frames(int count, const Cost& cost, double noise = 0) {
     std::uniform_real_distribution<double> factor(1 - noise, 1 + noise);
     for (int i = 0; i < count; ++i) {
-      const int divisor = control.divisor();
-      control.rendered(divisor, cost.of(divisor) * factor(random));
-      changes += control.divisor() != divisor;
+      const MovingDetail detail = control.detail();
+      control.rendered(detail, cost.of(detail) * factor(random));
+      changes += !(control.detail() == detail);
     }
   }
 };
 
-TEST(MarchControlTest, converges_within_ten_frames_of_a_step_up_and_of_a_step_down) {
-  const Cost light{3, 20}, heavy{3, 300};
-  March march;
-  march.frames(50, light);
-  EXPECT_EQ(march.changes, 0);
-  march.frames(4, heavy);
-  EXPECT_EQ(march.control.divisor(), 3) << "coarser is a matter of a few frames";
-  EXPECT_LE(heavy.of(3), target_ms);
-  march.frames(10, light);
-  EXPECT_EQ(march.control.divisor(), 1);
-  march.changes = 0;
-  march.frames(500, light);
-  EXPECT_EQ(march.changes, 0);
+TEST(DetailControlTest, every_level_costs_less_than_the_one_before) {
+  const Cost cost{0, 1000};
+  for (std::size_t i = 1; i < moving_details.size(); ++i)
+    EXPECT_LT(cost.of(moving_details[i]), cost.of(moving_details[i - 1])) << i;
 }
 
-TEST(MarchControlTest, one_slow_frame_changes_nothing) {
-  March march;
-  march.frames(10, {3, 20});
-  march.frames(1, {3, 900});
-  march.frames(10, {3, 20});
-  EXPECT_EQ(march.changes, 0);
+TEST(DetailControlTest, gives_way_within_some_frames_and_returns_within_twenty) {
+  const Cost light{3, 20}, heavy{3, 900};
+  Moving moving;
+  moving.frames(50, light);
+  EXPECT_EQ(moving.control.detail(), moving_details.front());
+  moving.frames(4, heavy);
+  EXPECT_EQ(moving.control.detail(), (MovingDetail{16, 2})) << "coarser is a matter of a few frames";
+  EXPECT_LE(heavy.of({16, 2}), target_ms);
+  moving.frames(20, light);
+  EXPECT_EQ(moving.control.detail(), moving_details.front());
+  moving.changes = 0;
+  moving.frames(500, light);
+  EXPECT_EQ(moving.changes, 0);
 }
 
-TEST(MarchControlTest, hopeless_load_stays_coarsest) {
-  March march;
-  march.frames(100, {500, 5000});
-  EXPECT_EQ(march.control.divisor(), 4);
-  EXPECT_EQ(march.changes, 1);
+TEST(DetailControlTest, one_slow_frame_changes_nothing) {
+  Moving moving;
+  moving.frames(50, {3, 20});
+  moving.changes = 0;
+  moving.frames(1, {3, 900});
+  moving.frames(10, {3, 20});
+  EXPECT_EQ(moving.changes, 0);
 }
 
-TEST(MarchControlTest, noise_about_the_target_does_not_pump) {
-  for (const Cost cost : {Cost{0, 48}, Cost{0, 70}, Cost{0, 110}, Cost{10, 60}, Cost{20, 200}, Cost{40, 30}}) {
-    March march;
-    march.frames(50, cost, 0.1);
-    march.changes = 0;
-    march.frames(500, cost, 0.1);
-    EXPECT_LE(march.changes, 6) << cost.fixed_ms << " + " << cost.marched_ms;
-    EXPECT_LE(cost.of(march.control.divisor()), 1.2 * target_ms);
+TEST(DetailControlTest, hopeless_load_stays_coarsest) {
+  Moving moving;
+  moving.frames(100, {500, 5000});
+  EXPECT_EQ(moving.control.detail(), moving_details.back());
+  EXPECT_EQ(moving.changes, 1);
+}
+
+TEST(DetailControlTest, noise_about_the_target_does_not_pump) {
+  for (const Cost cost : {Cost{0, 48}, Cost{0, 160}, Cost{0, 700}, Cost{10, 300}, Cost{20, 1200}, Cost{40, 80}}) {
+    Moving moving;
+    moving.frames(50, cost, 0.1);
+    moving.changes = 0;
+    moving.frames(500, cost, 0.1);
+    EXPECT_LE(moving.changes, 6) << cost.fixed_ms << " + " << cost.marched_ms;
+    EXPECT_LE(cost.of(moving.control.detail()), 1.2 * target_ms);
   }
 }
 
-TEST(MarchControlTest, fixed_cost_does_not_leave_the_picture_coarse_after_a_spike) {
+TEST(DetailControlTest, fixed_cost_does_not_leave_the_picture_coarse_after_a_spike) {
   const Cost cost{10, 25};
-  March march;
-  march.frames(10, cost);
-  march.frames(3, {10, 900});
-  EXPECT_GT(march.control.divisor(), 1);
-  march.frames(40, cost);
-  EXPECT_EQ(march.control.divisor(), 1);
+  Moving moving;
+  moving.frames(20, cost);
+  moving.frames(3, {10, 5000});
+  EXPECT_NE(moving.control.detail(), moving_details.front());
+  moving.frames(60, cost);
+  EXPECT_EQ(moving.control.detail(), moving_details.front());
 }
 
-TEST(MarchControlTest, frame_of_another_divisor_tells_nothing) {
-  MarchControl control(target_ms);
-  for (int i = 0; i < 10; ++i) control.rendered(2, 1000);
-  EXPECT_EQ(control.divisor(), 1);
+TEST(DetailControlTest, frame_of_another_detail_tells_nothing) {
+  DetailControl control(target_ms, 3);
+  for (int i = 0; i < 10; ++i) control.rendered(moving_details.back(), 1000);
+  EXPECT_EQ(control.detail(), moving_details[3]);
 }
 
 TEST(JpegControlTest, clear_way_raises_the_quality_slowly_to_its_bound) {

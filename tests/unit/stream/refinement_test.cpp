@@ -241,5 +241,35 @@ TEST_F(RefinementTest, frame_that_the_encoder_loses_leaves_the_window_and_ends_t
   EXPECT_TRUE(take());
 }
 
+// With reuse a frame marches a part of the picture, and the rest of it follows when the view has come to rest.
+TEST(SteadyingTest, picture_is_whole_before_it_is_refined) {
+  Time now{};
+  Metrics metrics;
+  FrameScheduler scheduler({}, metrics, [&] { return now; });
+  StreamView view;
+  view.cloudscape = std::make_shared<const Cloudscape>();
+  const auto stream = scheduler.open(view);
+  int moving = 0;
+  std::optional<Work> work;
+  while ((work = scheduler.take(now)) && work->quality_stage == moving_stage) {
+    ++moving;
+    EXPECT_EQ(work->request.quality.reuse, 4);
+    now += ms(20);
+    FrameTimings timings;
+    timings.render_ms = 20;
+    scheduler.rendered(*work, timings);
+    scheduler.encoded(*work, 40'000, 0);
+    scheduler.acknowledge(stream, work->frame_id, 0);
+  }
+  EXPECT_EQ(moving, 4);
+  EXPECT_FALSE(work) << "80 ms later it has not rested long enough to be refined";
+  now += ms(70);
+  work = scheduler.take(now);
+  ASSERT_TRUE(work);
+  EXPECT_EQ(work->quality_stage, 1);
+  EXPECT_EQ(work->request.quality.reuse, 1);
+  EXPECT_EQ(work->request.quality.resolution_divisor, 1);
+}
+
 }  // namespace
 }  // namespace cloudscape::stream

@@ -12,6 +12,14 @@ inline Time::duration ms(double value) {
   return std::chrono::duration_cast<Time::duration>(std::chrono::duration<double, std::milli>(value));
 }
 
+// Frames of 50 ms, marched whole: no frame follows a view that rests but its refinement.
+inline SchedulerOptions whole_frames() {
+  SchedulerOptions options;
+  options.target_frame_ms = 50;
+  options.first_detail = 0;
+  return options;
+}
+
 class SchedulerTest : public testing::Test {
  protected:
   static StreamView looking(double azimuth_deg, Quality quality = Quality::standard) {
@@ -74,7 +82,7 @@ class SchedulerTest : public testing::Test {
 
   Time now{std::chrono::hours(1)};
   Metrics metrics;
-  FrameScheduler scheduler{{}, metrics, [this] { return now; }};
+  FrameScheduler scheduler{whole_frames(), metrics, [this] { return now; }};
 };
 
 }  // namespace cloudscape::stream

@@ -59,9 +59,10 @@ class SimulatedViewer {
   void begin() {
     const auto work = scheduler_.take(now_);
     if (!work) return;
-    const int divisor = work->request.quality.march_divisor;
+    const RenderQuality& quality = work->request.quality;
+    const double kept = 1.0 / (quality.resolution_divisor * quality.resolution_divisor);
     rendering_ = Sent{*work, now_, {}, {}, {}};
-    render_end_ = now_ + ms(fixed_ms + marched_ms / (divisor * divisor));
+    render_end_ = now_ + ms(fixed_ms + marched_ms * (kept / quality.reuse + 0.05 * kept));
   }
   void finish() {
     FrameTimings timings;
@@ -93,7 +94,7 @@ class SimulatedViewer {
   std::optional<Sent> rendering_;
   std::deque<Sent> under_way_;
   Metrics metrics_;
-  FrameScheduler scheduler_{{}, metrics_, [this] { return now_; }};
+  FrameScheduler scheduler_{whole_frames(), metrics_, [this] { return now_; }};
   StreamView view_;
   StreamId stream_ = scheduler_.open(view_);
 };

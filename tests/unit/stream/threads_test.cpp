@@ -10,7 +10,7 @@ namespace {
 
 class ThreadsTest : public SchedulerTest {
  protected:
-  FrameScheduler real{{}, metrics};
+  FrameScheduler real{whole_frames(), metrics};
   std::atomic<bool> running = true;
   std::atomic<int> frames = 0, twice = 0;
   std::array<std::atomic<int>, 1024> in_render{};

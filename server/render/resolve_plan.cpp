@@ -1,0 +1,131 @@
+#include "render/resolve_plan.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace cloudscape::render {
+namespace {
+
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+
+vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
+double fraction(double value) { return value - std::floor(value); }
+
+int whole_blocks(int shown_px, int divisor, int stride) {
+  const int kept = (shown_px + divisor - 1) / divisor;
+  return (kept + stride - 1) / stride * stride;
+}
+
+double half_height_of(double vertical_fov_deg) { return std::tan(0.5 * vertical_fov_deg / degrees_per_radian); }
+
+// Whether the clouds are the same ones, be it in another light.
+bool same_clouds(const Cloudscape& a, const Cloudscape& b) {
+  return a.volume == b.volume && a.noise == b.noise && a.shape == b.shape && a.detail == b.detail && a.seed == b.seed &&
+         a.ground == b.ground;
+}
+
+bool same_light(const Cloudscape& a, const Cloudscape& b) {
+  return a.sun == b.sun && a.moon == b.moon && a.sky == b.sky && a.medium == b.medium;
+}
+
+// tuned: samples in a pixel's average. A resting picture gathers until its noise is gone; a moving one forgets what it
+// was re-projected from before that goes soft; a new light shows within some frames.
+constexpr double resting_samples = 32, moving_samples = 2, new_light_samples = 1;
+// tuned: by how much of its range a neighbourhood of noisy samples is widened. A resting picture needs no bound at all.
+constexpr double resting_margin = 1e4, moving_margin = 0.1, new_light_margin = 0;
+
+}  // namespace
+
+bool continues_picture(const FrameRequest& request) {
+  const RenderQuality& quality = request.quality;
+  return (quality.reuse > 1 || quality.resolution_divisor > 1) && quality.technique == Technique::march &&
+         request.lens.kind == LensKind::perspective && request.content == FrameContent::display;
+}
+
+ResolvePlan resolve_plan(const FrameRequest& request) {
+  ResolvePlan plan;
+  plan.shown = request.size_px;
+  plan.divisor = request.quality.resolution_divisor;
+  plan.stride = request.quality.reuse >= 16 ? 4 : request.quality.reuse >= 4 ? 2 : 1;
+  plan.kept = {whole_blocks(plan.shown.width, plan.divisor, plan.stride),
+               whole_blocks(plan.shown.height, plan.divisor, plan.stride)};
+  plan.marched = {plan.kept.width / plan.stride, plan.kept.height / plan.stride};
+  plan.margin_px = {0.5 * (plan.kept.width - static_cast<double>(plan.shown.width) / plan.divisor),
+                    0.5 * (plan.kept.height - static_cast<double>(plan.shown.height) / plan.divisor)};
+  return plan;
+}
+
+glm::ivec2 marched_pixel(int stride, std::uint64_t frame) {
+  // One digit of base 4 is a place in 2x2, the lowest that of the largest squares.
+  constexpr int columns[] = {0, 1, 1, 0}, rows[] = {0, 1, 0, 1};
+  glm::ivec2 at(0);
+  for (int square = stride / 2; square > 0; square /= 2, frame /= 4)
+    at += square * glm::ivec2(columns[frame % 4], rows[frame % 4]);
+  return at;
+}
+
+FrameRequest marched_request(const FrameRequest& asked, const ResolvePlan& plan) {
+  FrameRequest request = asked;
+  request.size_px = plan.marched;
+  request.lens.vertical_fov_deg = kept_view(asked, plan).vertical_fov_deg;
+  request.sample_share = 1.0 / plan.stride;
+  request.quality.smooth = false;
+  request.quality.march_divisor = 1;
+  request.quality.samples = 1;
+  return request;
+}
+
+glm::dvec2 marched_offset(const ResolvePlan& plan, std::uint64_t frame) {
+  const glm::ivec2 at = marched_pixel(plan.stride, frame);
+  // The R2 sequence (Roberts 2018), one number for all pixels of a round.
+  const auto round = static_cast<double>(frame / static_cast<std::uint64_t>(plan.stride * plan.stride));
+  const glm::dvec2 within(fraction(0.5 + 0.7548776662466927 * round) - 0.5,
+                          fraction(0.5 + 0.5698402909980532 * round) - 0.5);
+  return (glm::dvec2(at) - 0.5 * (plan.stride - 1) + within) / static_cast<double>(plan.stride);
+}
+
+int marched_sample(const ResolvePlan& plan, std::uint64_t frame) {
+  const auto round = static_cast<std::uint64_t>(plan.stride * plan.stride);
+  // A step's start moves on by the golden ratio from sample to sample (shaders/render/march.glsl): by a quarter with
+  // every second one, by a sixteenth with every 26th.
+  const std::uint64_t between_pixels = plan.stride == 2 ? 2 : 26;
+  return static_cast<int>((frame / round + between_pixels * (frame % round)) % 4096);
+}
+
+KeptView kept_view(const FrameRequest& asked, const ResolvePlan& plan) {
+  const double taller = static_cast<double>(plan.kept.height) * plan.divisor / plan.shown.height;
+  KeptView view;
+  view.pose = asked.pose;
+  view.vertical_fov_deg = 2 * std::atan(half_height_of(asked.lens.vertical_fov_deg) * taller) * degrees_per_radian;
+  view.aspect = static_cast<double>(plan.kept.width) / plan.kept.height;
+  view.time_s = asked.time_s;
+  view.cloudscape = asked.cloudscape;
+  return view;
+}
+
+ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const KeptView& now,
+                           const std::optional<KeptView>& before) {
+  const bool known = before && same_clouds(*before->cloudscape, *now.cloudscape);
+  const KeptView& then = known ? *before : now;
+  const CameraAxes axes = camera_axes(then.pose);
+  const Wind& wind = now.cloudscape->wind;
+  const glm::dvec3 drift = direction_of(wind.towards_azimuth_deg, 0) * wind.speed_m_per_s * (now.time_s - then.time_s);
+  const bool new_light = !same_light(*then.cloudscape, *now.cloudscape);
+  const glm::ivec2 at = marched_pixel(plan.stride, frame);
+  ResolveBlock block{};
+  block.kept = {plan.kept.width, plan.kept.height, plan.stride, plan.divisor};
+  block.marched = {at.x, at.y, plan.margin_px.x, plan.margin_px.y};
+  block.before_right = xyz_w(axes.right, half_height_of(then.vertical_fov_deg));
+  block.before_up = xyz_w(axes.up, then.aspect);
+  block.before_forward = xyz_w(axes.forward, known);
+  block.moved = xyz_w(now.pose.position_m - then.pose.position_m, half_height_of(now.vertical_fov_deg));
+  block.drift = xyz_w(drift, 1e7);
+  const bool resting = now.time_s == then.time_s;
+  block.trust = {resting ? resting_samples : moving_samples, moving_samples, resting ? resting_margin : moving_margin,
+                 moving_margin};
+  if (new_light) block.trust = {new_light_samples, new_light_samples, new_light_margin, new_light_margin};
+  return block;
+}
+
+}  // namespace cloudscape::render

@@ -1,0 +1,111 @@
+#include "render/resolver.h"
+
+namespace cloudscape::render {
+
+using gpu::Binding, gpu::Format, gpu::Texture;
+
+namespace {
+
+Texture picture_texture(ImageSize size, const char* label) {
+  Texture texture(Format::rgba16f, size.width, size.height, label);
+  texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
+  return texture;
+}
+
+gpu::Rect whole(ImageSize size) { return {0, 0, size.width, size.height}; }
+
+}  // namespace
+
+Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
+    : range_(context, shaders, "render/resolve_range.glsl", {Format::rgba16f, Format::rgba16f}),
+      resolve_(context, shaders, "render/resolve.glsl", {Format::rgba16f}),
+      present_(context, shaders, "render/present.glsl", {Format::rgba8}),
+      present_bloom_(context, shaders, "render/present_bloom.glsl", {Format::rgba8}),
+      block_("resolve") {}
+
+ResolvedFrame Resolver::begin(const FrameRequest& asked) const {
+  const auto found = pictures_.find(asked.stream);
+  return {asked, resolve_plan(asked), found == pictures_.end() ? 0 : found->second.frames, nullptr};
+}
+
+Resolver::Shared& Resolver::shared_of(ImageSize kept, ImageSize marched) {
+  constexpr std::size_t most_sizes = 8;  // tuned: sizes that alternate without being made anew each time
+  if (shared_.size() > most_sizes) shared_.clear();
+  Shared& shared = shared_[{kept.width, kept.height}];
+  if (!shared.spare) shared.spare = picture_texture(kept, "spare picture");
+  if (!shared.least || shared.least.width() != marched.width || shared.least.height() != marched.height) {
+    shared.least = picture_texture(marched, "least radiance");
+    shared.greatest = picture_texture(marched, "greatest radiance");
+  }
+  return shared;
+}
+
+void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched) {
+  const ResolvePlan& plan = frame.plan;
+  Shared& shared = shared_of(plan.kept, plan.marched);
+  Picture& picture = pictures_[frame.asked.stream];
+  const KeptView now = kept_view(frame.asked, plan);
+  const bool before = static_cast<bool>(picture.radiance);
+  block_.upload(resolve_block(plan, frame.frame, now, before ? std::optional(picture.view) : std::nullopt));
+  block_.bind();
+  const Texture* range[] = {&shared.least, &shared.greatest};
+  const Binding seen[] = {{0, &marched.radiance}, {1, &marched.depth}};
+  range_.run(whole(plan.marched), range, seen);
+  const Binding textures[] = {{0, &marched.radiance},
+                              {2, &shared.least},
+                              {3, &shared.greatest},
+                              {4, before ? &picture.radiance : &marched.radiance}};
+  const Texture* output[] = {&shared.spare};
+  resolve_.run(whole(plan.kept), output, textures);
+  std::swap(picture.radiance, shared.spare);
+  if (shared.spare && (shared.spare.width() != plan.kept.width || shared.spare.height() != plan.kept.height))
+    shared.spare = {};
+  picture.view = now;
+  picture.frames = frame.frame + 1;
+}
+
+const Texture* Resolver::glow(const ResolvedFrame& frame, const Bloom& bloom, const Texture& radiance) {
+  const Display& display = frame.asked.display;
+  if (display.bloom_strength <= 0) return nullptr;
+  std::unique_ptr<BloomChain>& chain = shared_of(frame.plan.kept, frame.plan.marched).bloom;
+  if (!chain || !chain->fits(display.bloom_radius, false))
+    chain = std::make_unique<BloomChain>(frame.plan.kept, display.bloom_radius, false);
+  return &bloom.glow(*chain, radiance);
+}
+
+void Resolver::present(ResolvedFrame& frame, const Bloom& bloom) {
+  const Picture& picture = pictures_.at(frame.asked.stream);
+  frame.display =
+      std::make_shared<Texture>(Format::rgba8, frame.plan.shown.width, frame.plan.shown.height, "shown picture");
+  const Texture* glows = glow(frame, bloom, picture.radiance);
+  block_.bind();
+  const Texture* output[] = {frame.display.get()};
+  const Binding plain[] = {{0, &picture.radiance}}, glowing[] = {{0, &picture.radiance}, {1, glows}};
+  if (glows)
+    present_bloom_.run(whole(frame.plan.shown), output, glowing);
+  else
+    present_.run(whole(frame.plan.shown), output, plain);
+}
+
+std::vector<StreamId> Resolver::remembered() const {
+  std::vector<StreamId> streams;
+  for (const auto& [stream, picture] : pictures_) streams.push_back(stream);
+  return streams;
+}
+
+std::size_t Resolver::bytes_of(StreamId stream) const {
+  const auto found = pictures_.find(stream);
+  return found == pictures_.end() || !found->second.radiance ? 0 : found->second.radiance.bytes();
+}
+
+std::size_t Resolver::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& [stream, picture] : pictures_) sum += bytes_of(stream);
+  return sum;
+}
+
+void Resolver::reload(gpu::ShaderLibrary& shaders) {
+  for (gpu::ScreenPass* pass : {&range_, &resolve_, &present_, &present_bloom_}) pass->reload(shaders);
+}
+
+}  // namespace cloudscape::render

@@ -1,0 +1,56 @@
+// Moving pictures: keeps each stream's last picture, and continues it with the pixels that a frame marches.
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "gpu/pass.h"
+#include "render/bloom.h"
+#include "render/resolve_plan.h"
+#include "render/targets.h"
+
+namespace cloudscape::render {
+
+// A frame of a moving picture on its way.
+struct ResolvedFrame {
+  FrameRequest asked;
+  ResolvePlan plan;
+  std::uint64_t frame = 0;  // of the stream's moving picture
+  std::shared_ptr<gpu::Texture> display;
+};
+
+class Resolver {
+ public:
+  Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders);
+  ResolvedFrame begin(const FrameRequest& asked) const;
+  // Continues the stream's picture with what was marched into `marched` (radiance and distance of what is seen). The
+  // frame block of the marched request must be bound.
+  void resolve(const ResolvedFrame& frame, const Accumulation& marched);
+  // The stream's picture as it is displayed, into frame.display. The frame block must be bound.
+  void present(ResolvedFrame& frame, const Bloom& bloom);
+  void forget(StreamId stream) { pictures_.erase(stream); }
+  std::vector<StreamId> remembered() const;
+  std::size_t bytes_of(StreamId stream) const;
+  std::size_t bytes() const;
+  void reload(gpu::ShaderLibrary& shaders);
+
+ private:
+  struct Picture {
+    gpu::Texture radiance;
+    KeptView view;
+    std::uint64_t frames = 0;
+  };
+  struct Shared {  // by the streams of a size: nothing in it outlives a frame
+    gpu::Texture least, greatest, spare;
+    std::unique_ptr<BloomChain> bloom;
+  };
+  Shared& shared_of(ImageSize kept, ImageSize marched);
+  const gpu::Texture* glow(const ResolvedFrame& frame, const Bloom& bloom, const gpu::Texture& radiance);
+
+  gpu::ScreenPass range_, resolve_, present_, present_bloom_;
+  gpu::UniformBlock<ResolveBlock> block_;
+  std::map<StreamId, Picture> pictures_;
+  std::map<std::pair<int, int>, Shared> shared_;
+};
+
+}  // namespace cloudscape::render

@@ -1,0 +1,163 @@
+// Moving pictures that are put together from parts: nothing of them may show how.
+#include <algorithm>
+#include <set>
+
+#include "gpu/render/fixture.h"
+#include "render/resolve_plan.h"
+
+namespace cloudscape::render {
+namespace {
+
+// Clouds above a plain, from below.
+FrameRequest moving(int reuse, int divisor, StreamId stream) {
+  FrameRequest request;
+  auto sky = std::make_shared<Cloudscape>(small_clouds());
+  sky->sun.elevation_deg = 50;
+  request.cloudscape = sky;
+  request.pose.position_m = {0, 0, 200};
+  request.pose.elevation_deg = 20;
+  request.size_px = {192, 108};
+  request.quality = render_quality(Quality::interactive);
+  request.quality.reuse = reuse, request.quality.resolution_divisor = divisor;
+  request.display.dither = false;
+  request.display.bloom_strength = 0;
+  request.stream = stream;
+  return request;
+}
+
+// The same, marched whole: the mean of some samples.
+FrameRequest whole(FrameRequest request, int samples) {
+  request.quality.reuse = request.quality.resolution_divisor = 1;
+  request.quality.smooth = false;
+  request.quality.samples = samples;
+  request.stream = next_stream();
+  return request;
+}
+
+// Root of the mean squared difference, in display steps.
+double difference(const Frame& a, const Frame& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.display_rgba.size(); ++i) {
+    const double d = static_cast<double>(a.display_rgba[i]) - b.display_rgba[i];
+    sum += d * d;
+  }
+  return std::sqrt(sum / (0.75 * static_cast<double>(a.display_rgba.size())));
+}
+
+class Resolver : public RenderTest {
+ protected:
+  static Frame last_of(FrameRequest request, int frames, double turn_deg = 0, double climb_m = 0) {
+    Frame frame;
+    for (int i = 0; i < frames; ++i) {
+      frame = renderer().render(request);
+      request.pose.azimuth_deg += turn_deg;
+      request.pose.position_m.z += climb_m;
+    }
+    renderer().forget(request.stream);
+    return frame;
+  }
+};
+
+TEST(ResolvePlanTest, every_pixel_of_a_block_is_marched_once_in_a_round) {
+  for (const int stride : {1, 2, 4}) {
+    std::set<std::pair<int, int>> seen;
+    const auto all = static_cast<std::uint64_t>(stride * stride);
+    for (std::uint64_t frame = 7 * all; frame < 8 * all; ++frame) {
+      const glm::ivec2 at = marched_pixel(stride, frame);
+      ASSERT_TRUE(at.x >= 0 && at.x < stride && at.y >= 0 && at.y < stride);
+      seen.insert({at.x, at.y});
+    }
+    EXPECT_EQ(seen.size(), all);
+  }
+}
+
+TEST(ResolvePlanTest, four_pixels_in_a_row_lie_in_four_quarters_of_a_block) {
+  std::set<std::pair<int, int>> quarters;
+  for (std::uint64_t frame = 0; frame < 4; ++frame) {
+    const glm::ivec2 at = marched_pixel(4, frame);
+    quarters.insert({at.x / 2, at.y / 2});
+  }
+  EXPECT_EQ(quarters.size(), 4u);
+}
+
+TEST(ResolvePlanTest, whole_blocks_hold_the_picture_in_their_middle) {
+  FrameRequest request;
+  request.size_px = {1278, 715};
+  request.quality.reuse = 16, request.quality.resolution_divisor = 2;
+  const ResolvePlan plan = resolve_plan(request);
+  EXPECT_EQ(plan.kept.width % 4, 0);
+  EXPECT_EQ(plan.kept.height % 4, 0);
+  EXPECT_GE(plan.kept.width * 2, 1278);
+  EXPECT_GE(plan.kept.height * 2, 715);
+  EXPECT_DOUBLE_EQ(plan.margin_px.x, 0.5 * (plan.kept.width - 639.0));
+  EXPECT_DOUBLE_EQ(plan.margin_px.y, 0.5 * (plan.kept.height - 357.5));
+  // A kept pixel is as wide as it is high, and as wide as two of the shown ones.
+  const KeptView view = kept_view(request, plan);
+  const double half = std::tan(radians(view.vertical_fov_deg) / 2);
+  EXPECT_NEAR(half / plan.kept.height, 2 * std::tan(radians(request.lens.vertical_fov_deg) / 2) / 715, 1e-12);
+}
+
+// A resting picture becomes the one that is marched whole. Four whole samples differ from it by 2.3 steps, eight
+// by 1.4; half the resolution costs the edges.
+TEST_F(Resolver, resting_picture_is_the_whole_one) {
+  const FrameRequest request = moving(16, 1, next_stream());
+  const Frame truth = render(whole(request, 32));
+  EXPECT_LT(difference(last_of(request, 64), truth), 3);
+  EXPECT_LT(difference(last_of(moving(4, 1, next_stream()), 32), truth), 2);
+  EXPECT_LT(difference(last_of(moving(4, 2, next_stream()), 32), truth), 9);
+}
+
+// Without what is kept a frame of a sixteenth of the pixels is far off.
+TEST_F(Resolver, turning_picture_is_nearer_to_the_whole_one_than_its_samples_alone) {
+  FrameRequest request = moving(16, 1, next_stream());
+  FrameRequest there = request;
+  there.pose.azimuth_deg += 11 * 0.5;
+  const Frame truth = render(whole(there, 32));
+  const double turned = difference(last_of(request, 12, 0.5), truth);
+  there.stream = next_stream();
+  const double alone = difference(last_of(there, 1), truth);
+  EXPECT_LT(turned, 0.9 * alone);
+}
+
+TEST_F(Resolver, climbing_picture_keeps_its_clouds_in_place) {
+  FrameRequest request = moving(4, 1, next_stream());
+  FrameRequest there = request;
+  there.pose.position_m.z += 11 * 3;
+  EXPECT_LT(difference(last_of(request, 12, 0, 3), render(whole(there, 32))), 9);
+}
+
+TEST_F(Resolver, equal_flights_give_equal_bytes) {
+  EXPECT_EQ(last_of(moving(16, 2, next_stream()), 5, 1).display_rgba,
+            last_of(moving(16, 2, next_stream()), 5, 1).display_rgba);
+}
+
+// Nothing of another sky, and after some frames nothing of another light, is left.
+TEST_F(Resolver, other_skies_and_other_suns_leave_no_ghost) {
+  FrameRequest request = moving(4, 1, next_stream());
+  FrameRequest other = request;
+  auto sky = std::make_shared<Cloudscape>(*request.cloudscape);
+  sky->seed = 9;
+  other.cloudscape = sky;
+  const Frame truth = render(whole(request, 32));
+  const double fresh = difference(last_of(moving(4, 1, next_stream()), 1), truth);
+  for (int i = 0; i < 8; ++i) renderer().render(other);
+  EXPECT_LT(difference(renderer().render(request), truth), 1.1 * fresh);
+  auto dusk = std::make_shared<Cloudscape>(*request.cloudscape);
+  dusk->sun.elevation_deg = 8;
+  request.cloudscape = dusk;
+  const Frame changed = last_of(request, 8);
+  EXPECT_LT(difference(changed, render(whole(request, 32))), 6);
+}
+
+// Its average may not stay on the device for streams that have gone.
+TEST_F(Resolver, forgets_streams) {
+  const std::size_t before = renderer().history_bytes();
+  const FrameRequest request = moving(4, 2, next_stream());
+  renderer().render(request);
+  EXPECT_EQ(renderer().history_bytes() - before, 96u * 54u * 8u);
+  renderer().forget(request.stream);
+  EXPECT_EQ(renderer().history_bytes(), before);
+}
+
+}  // namespace
+}  // namespace cloudscape::render
