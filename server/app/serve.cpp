@@ -92,7 +92,7 @@ int run_serve(const ServeOptions& options) {
   Metrics metrics;
   settings::CloudscapeLibrary library(settings.cloudscapes_dir);
   stream::FrameScheduler scheduler({settings.target_frame_ms, static_cast<std::size_t>(settings.still_queue)}, metrics);
-  EncodePool disk(1);
+  EncodePool disk(1, "disk");
   net::Server server({settings,
                       scheduler,
                       library,

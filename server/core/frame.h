@@ -38,6 +38,12 @@ struct FrameRequest {
   int first_sample = 0;        // 0 starts anew; n continues the average that the stream's frames before have built
   bool light_may_lag = false;  // a moving picture may show the clouds in the light of a moment ago
   Tracing tracing;             // where the quality's technique is path tracing
+  bool time_passes = false;    // FrameTimings::passes is filled, at the cost of waiting for each
+};
+
+struct PassTime {
+  std::string name;
+  double ms = 0;
 };
 
 struct FrameTimings {
@@ -45,6 +51,7 @@ struct FrameTimings {
   double render_ms = 0;  // wall time of the render thread
   double gpu_ms = 0;     // by timer queries; 0 where the driver has none
   double readback_ms = 0;
+  std::vector<PassTime> passes = {};  // in their order; empty unless the request asks for them
 };
 
 struct Frame {

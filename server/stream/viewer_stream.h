@@ -33,7 +33,7 @@ class ViewerStream {
   Time rested_at() const;
   Work moving_frame();
   Work refining_frame() const;
-  Work next_frame(const RenderQuality& quality, const Encoding& encoding) const;
+  Work next_frame(FrameRequest request, const Encoding& encoding) const;
   void forget_work();
   void abandon();
 

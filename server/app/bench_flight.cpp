@@ -1,0 +1,89 @@
+#include "app/bench_flight.h"
+
+#include <glm/glm.hpp>
+
+#include "core/error.h"
+#include "stream/moving_frame.h"
+
+namespace cloudscape::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// tuned: how long the render thread sleeps at most while no viewer wants a frame.
+constexpr auto idle_wait = std::chrono::milliseconds(5);
+
+void pump_until(FramePump& pump, const SimulatedViewers& viewers, auto&& done) {
+  while (!done()) {
+    pump.step(Clock::now() + idle_wait);
+    if (const std::string failure = viewers.failure(); !failure.empty())
+      throw Error("a frame could not be rendered: " + failure);
+  }
+}
+
+void draw_first(GpuStack& stack, const stream::StreamView& view) {
+  const StreamId before_all = 0;
+  stack.renderer.render(stream::moving_request(view, before_all, 0, 1));
+  stack.renderer.forget(before_all);
+}
+
+Flown measure(GpuStack& stack, const FlightPlan& plan, FramePump& pump, SimulatedViewers& viewers) {
+  viewers.measure_from_now();
+  const double cpu_ms = bench::process_cpu_ms();
+  const bench::ThreadTimes threads = bench::thread_cpu_ms();
+  const int sky_bakes = stack.renderer.sky_bakes();
+  pump_until(pump, viewers, [&] {
+    return viewers.seconds() >= plan.seconds ||
+           (plan.frames > 0 && viewers.delivered() >= static_cast<std::size_t>(plan.frames));
+  });
+  Flown flown;
+  flown.seconds = viewers.seconds();
+  flown.frames = viewers.frames();
+  flown.cpu_ms = bench::process_cpu_ms() - cpu_ms;
+  flown.threads = bench::since(threads, bench::thread_cpu_ms());
+  flown.history_bytes = stack.renderer.history_bytes();
+  flown.sky_bakes = stack.renderer.sky_bakes() - sky_bakes;
+  return flown;
+}
+
+}  // namespace
+
+Flown fly(GpuStack& stack, const FlightPlan& plan, const std::vector<SimulatedViewers::Viewer>& viewers) {
+  for (const SimulatedViewers::Viewer& viewer : viewers) draw_first(stack, viewer.view);
+  Metrics metrics;
+  stream::SchedulerOptions options;
+  options.target_frame_ms = 1000 / plan.target_fps;
+  stream::FrameScheduler scheduler(options, metrics);
+  Flown flown;
+  {
+    SimulatedViewers simulated(scheduler, plan.viewers, viewers);
+    FramePump pump(scheduler, stack.renderer, simulated.sink());
+    pump_until(pump, simulated, [&] { return simulated.seconds() >= plan.warm_up_s; });
+    flown = measure(stack, plan, pump, simulated);
+  }
+  for (const StreamId stream : stack.renderer.remembered()) stack.renderer.forget(stream);
+  return flown;
+}
+
+stream::StreamView view_of(const std::shared_ptr<const Cloudscape>& cloudscape, ImageSize size) {
+  stream::StreamView view;
+  view.cloudscape = cloudscape;
+  view.pose = cloudscape->view.pose;
+  view.lens = cloudscape->view.lens;
+  view.display = cloudscape->view.display;
+  view.march = cloudscape->view.march;
+  view.size_px = size;
+  return view;
+}
+
+double length_s(const settings::CameraPath& path) { return path.keys.back().time_s - path.keys.front().time_s; }
+
+double mean_speed_m_per_s(const settings::CameraPath& path, double speed) {
+  constexpr double step_s = 0.1;
+  double length_m = 0;
+  for (double time_s = path.keys.front().time_s; time_s < path.keys.back().time_s; time_s += step_s)
+    length_m += glm::distance(settings::at(path, time_s).position_m, settings::at(path, time_s + step_s).position_m);
+  return length_s(path) > 0 ? speed * length_m / length_s(path) : 0;
+}
+
+}  // namespace cloudscape::app
