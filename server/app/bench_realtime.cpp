@@ -28,7 +28,8 @@ double flicker_place_s(const settings::CameraPath& path) {
 }
 
 bench::QualityRun quality_run(const RealtimeOptions& options, const stream::StreamView& view,
-                              const settings::CameraPath& path, int flown_divisor, GpuStack& stack) {
+                              const settings::CameraPath& path, ImageSize flicker_size, int flown_divisor,
+                              GpuStack& stack) {
   bench::QualityRun run;
   run.view = view;
   run.path = path;
@@ -38,7 +39,7 @@ bench::QualityRun quality_run(const RealtimeOptions& options, const stream::Stre
   run.truth_samples = options.truth_samples;
   run.flicker_frames = options.flicker_frames;
   run.flicker_at_s = options.flicker_at_s >= 0 ? options.flicker_at_s : flicker_place_s(path);
-  run.flicker_size_px = options.flicker_size.empty() ? view.size_px : size_of(options.flicker_size, "--flicker-size");
+  run.flicker_size_px = flicker_size;
   run.draw = [&stack](const FrameRequest& request) { return stack.renderer.render(request); };
   run.forget = [&stack](StreamId stream) { stack.renderer.forget(stream); };
   run.progress = share_progress("judging the moving pictures");
@@ -65,6 +66,7 @@ bench::RealtimeResults results_of(const RealtimeOptions& options, const FlightPl
 int run_realtime(const RealtimeOptions& options) {
   log::start(options.gpu.log_level);
   const ImageSize size = size_of(options.size);
+  const ImageSize flicker_size = options.flicker_size.empty() ? size : size_of(options.flicker_size, "--flicker-size");
   const auto cloudscape = settings::find_cloudscape(settings::CloudscapeLibrary({}), options.cloudscape);
   FlightPlan plan = options.plan;
   plan.viewers.path = settings::find_camera_path(options.path);
@@ -78,7 +80,7 @@ int run_realtime(const RealtimeOptions& options) {
   bench::RealtimeResults results = results_of(options, plan, size);
   take_figures(results, fly(stack, plan, {{view, plan.viewers.path.keys.front().time_s}}));
   if (options.legs > 0 || options.flicker_frames > 0) {
-    results.judged = quality_run(options, view, plan.viewers.path, results.flight.march_divisor, stack);
+    results.judged = quality_run(options, view, plan.viewers.path, flicker_size, results.flight.march_divisor, stack);
     results.quality = bench::judge_moving(results.judged);
   }
   const bench::Machine machine = machine_of(stack.context);

@@ -1,5 +1,7 @@
 #include "app/render_loop.h"
 
+#include <algorithm>
+
 #include "app/frame_pump.h"
 
 namespace cloudscape::app {
@@ -81,8 +83,14 @@ void RenderLoop::loop(GpuStack& stack) {
   }
 }
 
+// What is kept for viewers and stills from frame to frame: of all, and of the one that has most. Limits of size and
+// number bound both (README, "Limits").
 void RenderLoop::tell_memory(const GpuStack& stack) {
+  std::size_t largest = 0;
+  for (const StreamId stream : stack.renderer.remembered())
+    largest = std::max(largest, stack.renderer.history_bytes(stream));
   metrics_.set("cloudscape_history_bytes", static_cast<double>(stack.renderer.history_bytes()));
+  metrics_.set("cloudscape_history_largest_bytes", static_cast<double>(largest));
   metrics_.set("cloudscape_bake_bytes", static_cast<double>(stack.bakes.bytes()));
 }
 
