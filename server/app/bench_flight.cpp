@@ -21,9 +21,14 @@ void pump_until(FramePump& pump, const SimulatedViewers& viewers, auto&& done) {
   }
 }
 
-void draw_first(GpuStack& stack, const stream::StreamView& view) {
+// From where the first viewer begins, at several coarsenesses, since each may need shaders of its own.
+void draw_first(GpuStack& stack, const settings::CameraPath& path, const SimulatedViewers::Viewer& viewer) {
   const StreamId before_all = 0;
-  stack.renderer.render(stream::moving_request(view, before_all, 0, 1));
+  stream::StreamView view = viewer.view;
+  view.pose = settings::at(path, viewer.start_s);
+  std::uint64_t sequence = 0;
+  for (const int march_divisor : {4, 2, 1})
+    stack.renderer.render(stream::moving_request(view, before_all, sequence++, march_divisor));
   stack.renderer.forget(before_all);
 }
 
@@ -49,7 +54,7 @@ Flown measure(GpuStack& stack, const FlightPlan& plan, FramePump& pump, Simulate
 }  // namespace
 
 Flown fly(GpuStack& stack, const FlightPlan& plan, const std::vector<SimulatedViewers::Viewer>& viewers) {
-  for (const SimulatedViewers::Viewer& viewer : viewers) draw_first(stack, viewer.view);
+  draw_first(stack, plan.viewers.path, viewers.front());
   Metrics metrics;
   stream::SchedulerOptions options;
   options.target_frame_ms = 1000 / plan.target_fps;

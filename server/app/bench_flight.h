@@ -25,7 +25,7 @@ struct Flown {
   int sky_bakes = 0;              // tables of the sky that were computed meanwhile
 };
 
-// The first frame, which bakes and compiles, is drawn before the viewers open. Throws Error if a frame fails.
+// First frames, which bake and compile, are drawn before the viewers open. Throws Error if a frame fails.
 Flown fly(GpuStack& stack, const FlightPlan& plan, const std::vector<SimulatedViewers::Viewer>& viewers);
 
 // What a viewer of the document sees with: the document's lens, display and march.
