@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "core/error.h"
+#include "stream/milliseconds.h"
 #include "stream/moving_frame.h"
 
 namespace cloudscape::app {
@@ -13,12 +14,16 @@ using Clock = std::chrono::steady_clock;
 // tuned: how long the render thread sleeps at most while no viewer wants a frame.
 constexpr auto idle_wait = std::chrono::milliseconds(5);
 
-void pump_until(FramePump& pump, const SimulatedViewers& viewers, auto&& done) {
+// Returns how long no viewer wanted anything.
+Clock::duration pump_until(FramePump& pump, const SimulatedViewers& viewers, auto&& done) {
+  Clock::duration idle{};
   while (!done()) {
-    pump.step(Clock::now() + idle_wait);
+    const Clock::time_point start = Clock::now();
+    if (!pump.step(start + idle_wait)) idle += Clock::now() - start;
     if (const std::string failure = viewers.failure(); !failure.empty())
       throw Error("a frame could not be rendered: " + failure);
   }
+  return idle;
 }
 
 // From where the first viewer begins, at several coarsenesses, since each may need shaders of its own.
@@ -32,18 +37,28 @@ void draw_first(GpuStack& stack, const settings::CameraPath& path, const Simulat
   stack.renderer.forget(before_all);
 }
 
+// tuned: a view's march begins fine and gives way after two slow frames each time; a slow machine takes longer for so
+// many frames than the warm-up lasts, but not without end.
+bool settled(const SimulatedViewers& viewers, double warm_up_s, std::size_t streams) {
+  constexpr std::size_t frames = 10;
+  constexpr double most_warm_ups = 10;
+  const double seconds = viewers.seconds();
+  return seconds >= most_warm_ups * warm_up_s || (seconds >= warm_up_s && viewers.delivered() >= frames * streams);
+}
+
 Flown measure(GpuStack& stack, const FlightPlan& plan, FramePump& pump, SimulatedViewers& viewers) {
   viewers.measure_from_now();
   const double cpu_ms = bench::process_cpu_ms();
   const bench::ThreadTimes threads = bench::thread_cpu_ms();
   const int sky_bakes = stack.renderer.sky_bakes();
-  pump_until(pump, viewers, [&] {
+  const auto idle = pump_until(pump, viewers, [&] {
     return viewers.seconds() >= plan.seconds ||
            (plan.frames > 0 && viewers.delivered() >= static_cast<std::size_t>(plan.frames));
   });
   Flown flown;
   flown.seconds = viewers.seconds();
   flown.frames = viewers.frames();
+  flown.busy_share = 1 - stream::milliseconds(idle) / (1000 * flown.seconds);
   flown.cpu_ms = bench::process_cpu_ms() - cpu_ms;
   flown.threads = bench::since(threads, bench::thread_cpu_ms());
   flown.history_bytes = stack.renderer.history_bytes();
@@ -63,7 +78,7 @@ Flown fly(GpuStack& stack, const FlightPlan& plan, const std::vector<SimulatedVi
   {
     SimulatedViewers simulated(scheduler, plan.viewers, viewers);
     FramePump pump(scheduler, stack.renderer, simulated.sink());
-    pump_until(pump, simulated, [&] { return simulated.seconds() >= plan.warm_up_s; });
+    pump_until(pump, simulated, [&] { return settled(simulated, plan.warm_up_s, viewers.size()); });
     flown = measure(stack, plan, pump, simulated);
   }
   for (const StreamId stream : stack.renderer.remembered()) stack.renderer.forget(stream);

@@ -11,7 +11,7 @@ namespace cloudscape::app {
 struct FlightPlan {
   ViewersOptions viewers;
   double target_fps = 30;
-  double warm_up_s = 3;  // tuned: the march's coarseness and the window of frames in flight settle in about one
+  double warm_up_s = 3;  // at least, until some frames of each have arrived; at most ten times as long
   double seconds = 10;   // measured, or until so many frames have arrived, whichever is first
   int frames = 0;        // 0: no matter how many
 };
@@ -19,7 +19,8 @@ struct FlightPlan {
 struct Flown {
   std::vector<std::vector<bench::FlownFrame>> frames;  // of each viewer
   double seconds = 0;
-  double cpu_ms = 0;  // of the process
+  double busy_share = 0;  // of the time that the render thread was at work or waited for the device
+  double cpu_ms = 0;      // of the process
   bench::ThreadTimes threads;
   std::size_t history_bytes = 0;  // of all viewers
   int sky_bakes = 0;              // tables of the sky that were computed meanwhile

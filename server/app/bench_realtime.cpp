@@ -134,7 +134,9 @@ void add_flight_options(CLI::App& command, FlightPlan& plan) {
                   "From the encoder until the viewer's acknowledgement; 0: at once")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 10000.0));
-  command.add_option("--warm-up", plan.warm_up_s, "Flight before the measurement, s")
+  command
+      .add_option("--warm-up", plan.warm_up_s,
+                  "Flight before the measurement, s; up to ten times as long until ten frames of each have arrived")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1000.0));
 }

@@ -36,6 +36,7 @@ bench::StreamsFigures measure(GpuStack& stack, const FlightPlan& plan, const str
   std::size_t frames = 0;
   for (const auto& stream : flown.frames) frames += stream.size();
   figures.cpu_ms = frames > 0 ? flown.cpu_ms / static_cast<double>(frames) : 0;
+  figures.busy_share = flown.busy_share;
   figures.stream_bytes = static_cast<double>(flown.history_bytes) / streams;
   figures.sky_bakes = static_cast<int>(flown.sky_bakes / flown.seconds);
   return figures;

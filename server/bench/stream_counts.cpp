@@ -45,11 +45,7 @@ std::string held_text(const StreamsResults& results, const StreamsSubject& subje
 StreamsFigures streams_figures(const std::vector<std::vector<FlownFrame>>& frames, double seconds) {
   StreamsFigures figures;
   figures.streams = static_cast<int>(frames.size());
-  for (const std::vector<FlownFrame>& stream : frames) {
-    figures.each.push_back(figures_of(stream, seconds));
-    for (const FlownFrame& frame : stream)
-      figures.busy_share += std::max(frame.render_ms, frame.device_ms) / (1000 * std::max(seconds, 1e-3));
-  }
+  for (const std::vector<FlownFrame>& stream : frames) figures.each.push_back(figures_of(stream, seconds));
   return figures;
 }
 

@@ -14,7 +14,7 @@ namespace cloudscape::bench {
 struct StreamsFigures {
   int streams = 0;
   std::vector<FlightFigures> each;
-  double busy_share = 0;    // of the time that the renderer or its device was at work
+  double busy_share = 0;    // of the time that the renderer was at work or waited for its device
   double cpu_ms = 0;        // of a frame
   double stream_bytes = 0;  // that the renderer keeps for each, mean
   int sky_bakes = 0;        // tables of the sky computed in a second
