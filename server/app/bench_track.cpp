@@ -1,6 +1,4 @@
 // `cloudscape bench track`: the thesis' test track (Olajos 3.1, 3.2).
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 
@@ -40,18 +38,6 @@ Results results_of(const TrackOptions& options) {
   return results;
 }
 
-std::function<void(double)> track_progress() {
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  return [terminal, last = -1](double share) mutable {
-    const int percent = static_cast<int>(100 * share);
-    if (terminal ? percent == last : percent / 10 == last / 10 && last >= 0) return;
-    last = percent;
-    std::fprintf(stderr, "%sflying along the track: %d %%%s", terminal ? "\r" : "", percent,
-                 percent == 100 || !terminal ? "\n" : "");
-    std::fflush(stderr);
-  };
-}
-
 bench::TrackTimes measure(const TrackOptions& options, const Cloudscape& cloudscape, const settings::CameraPath& path,
                           ImageSize size, const std::vector<bench::TrackVariant>& variants, GpuStack& stack) {
   std::vector<FrameRequest> requests;
@@ -59,7 +45,7 @@ bench::TrackTimes measure(const TrackOptions& options, const Cloudscape& cloudsc
     requests.push_back(bench::track_request(cloudscape, size, variant));
   bench::TrackRun run;
   run.frames = options.frames;
-  run.progress = track_progress();
+  run.progress = share_progress("flying along the track");
   bench::TrackTimes track = bench::run_track(
       path, requests, run, [&](const FrameRequest& request) { return bench::timed_frame(stack.renderer, request); });
   for (std::size_t i = 0; i < variants.size(); ++i) track.variants[i].variant = variants[i];

@@ -1,9 +1,11 @@
 #include "app/encode_pool.h"
 
+#include <pthread.h>
+
 namespace cloudscape::app {
 
-EncodePool::EncodePool(unsigned threads) {
-  for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+EncodePool::EncodePool(unsigned threads, const char* name) {
+  for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this, name] { work(name); });
 }
 
 EncodePool::~EncodePool() {
@@ -23,7 +25,8 @@ void EncodePool::run(std::function<void()> task) {
   news_.notify_one();
 }
 
-void EncodePool::work() {
+void EncodePool::work(const char* name) {
+  pthread_setname_np(pthread_self(), name);
   for (;;) {
     std::unique_lock lock(mutex_);
     news_.wait(lock, [this] { return stopping_ || !tasks_.empty(); });

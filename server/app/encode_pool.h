@@ -11,12 +11,12 @@ namespace cloudscape::app {
 
 class EncodePool {
  public:
-  explicit EncodePool(unsigned threads);
-  ~EncodePool();  // finishes what was given
+  explicit EncodePool(unsigned threads, const char* name = "encode");  // of the threads, for tools that list them
+  ~EncodePool();                                                       // finishes what was given
   void run(std::function<void()> task);
 
  private:
-  void work();
+  void work(const char* name);
   std::mutex mutex_;
   std::condition_variable news_;
   std::deque<std::function<void()>> tasks_;

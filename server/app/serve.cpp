@@ -94,7 +94,7 @@ int run_serve(const ServeOptions& options) {
   stream::FrameScheduler scheduler(
       {.target_frame_ms = settings.target_frame_ms, .still_queue = static_cast<std::size_t>(settings.still_queue)},
       metrics);
-  EncodePool disk(1);
+  EncodePool disk(1, "disk");
   net::Server server({settings,
                       scheduler,
                       library,

@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include "bench/frame_times.h"
+#include "bench/thread_times.h"
 
 namespace cloudscape::bench {
 namespace {
 
 constexpr StreamId track_stream = 1, shared_work_stream = 2;  // of their own sizes
 constexpr ImageSize shared_work_size{16, 9};
-
-double process_cpu_ms() {
-  std::timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 FrameRequest request_at(const FrameRequest& variant, const settings::CameraPath::Key& key) {
   FrameRequest request = variant;

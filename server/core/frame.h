@@ -39,6 +39,12 @@ struct FrameRequest {
   bool light_may_lag = false;  // a moving picture may show the clouds in the light of a moment ago
   Tracing tracing;             // where the quality's technique is path tracing
   double sample_share = 1;     // side of what a pixel's sample stands for, in pixels
+  bool time_passes = false;    // FrameTimings::passes is filled, at the cost of waiting for each
+};
+
+struct PassTime {
+  std::string name;
+  double ms = 0;
 };
 
 struct FrameTimings {
@@ -46,6 +52,7 @@ struct FrameTimings {
   double render_ms = 0;  // wall time of the render thread
   double gpu_ms = 0;     // by timer queries; 0 where the driver has none
   double readback_ms = 0;
+  std::vector<PassTime> passes = {};  // in their order; empty unless the request asks for them
 };
 
 struct Frame {

@@ -323,4 +323,9 @@ std::size_t Renderer::history_bytes() const {
   return sum;
 }
 
+std::size_t Renderer::history_bytes(StreamId stream) const {
+  const auto found = histories_.find(stream);
+  return found == histories_.end() ? 0 : found->second.accumulation.bytes();
+}
+
 }  // namespace cloudscape::render

@@ -64,6 +64,7 @@ class Renderer {
   std::vector<StreamId> remembered() const;  // streams that something is kept for
   void reload_shaders();
   std::size_t history_bytes() const;
+  std::size_t history_bytes(StreamId stream) const;
   int sky_bakes() const { return sky_.bakes(); }  // tables of the sky computed so far
   PathTracer& tracer() { return tracer_; }
 

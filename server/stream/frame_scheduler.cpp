@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "stream/background.h"
+#include "stream/bills.h"
 #include "stream/milliseconds.h"
 #include "stream/still_queue.h"
 #include "stream/turns.h"
@@ -43,6 +44,7 @@ struct FrameScheduler::State {
   StillQueue stills;
   Background background;
   Turns turns;
+  Bills bills;
   bool stopped = false;
 
   // Runs `apply(state, now)` under the lock; then a waiting `take` looks again.
@@ -81,8 +83,9 @@ struct FrameScheduler::State {
     background.others_rendered(now);
     ViewerStream* viewer = stream(id);
     turns.served(id, viewer == nullptr);
-    if (!viewer) return stills.take(id);
-    return viewer->take(now);
+    const Work work = viewer ? viewer->take(now) : stills.take(id);
+    bills.taken(work, now);
+    return work;
   }
 
   bool yield(const Work& work, Time now) {
@@ -90,6 +93,8 @@ struct FrameScheduler::State {
     if (background.frames.yield(work.request.stream)) return true;
     background.others_rendered(now);
     ViewerStream* viewer = stream(work.request.stream);
+    if (viewer || stills.contains(work.request.stream))
+      turns.charge(work.request.stream, work.still, bills.yielded(work, now));
     if (work.still) return stills.yield(work.request.stream);
     if (!viewer || !viewer->in_render(work)) return false;
     const bool wanted = viewer->yield(work);
@@ -105,17 +110,23 @@ struct FrameScheduler::State {
   }
 
   bool end_still(StreamId id) {
-    turns.leave(id);
+    leave(id);
     return stills.end(id);
   }
 
+  void leave(StreamId id) {
+    turns.leave(id);
+    bills.forget(id);
+  }
+
   // What a work that is rendered counts as; "": nobody waits for it any more.
-  std::string end(const Work& work, double render_ms, Time now) {
+  std::string end(const Work& work, const FrameTimings& timings, double render_ms, Time now) {
     const StreamId id = work.request.stream;
     if (background.frames.end(id)) return "background";
     background.others_rendered(now);
-    if (work.still) return end_still(id) ? "still" : "";
     ViewerStream* viewer = stream(id);
+    if (viewer || stills.contains(id)) turns.charge(id, work.still, bills.ended(work, timings));
+    if (work.still) return end_still(id) ? "still" : "";
     return viewer && viewer->rendered(work, render_ms, now) ? "stream" : "";
   }
 
@@ -163,7 +174,7 @@ void FrameScheduler::acknowledge(StreamId stream, std::uint32_t frame_id, double
 
 void FrameScheduler::close(StreamId stream) {
   state_->change([&](State& state, Time) {
-    if (state.streams.erase(stream) > 0) state.turns.leave(stream);
+    if (state.streams.erase(stream) > 0) state.leave(stream);
   });
 }
 
@@ -242,7 +253,7 @@ bool FrameScheduler::wanted(const Work& work) const {
 void FrameScheduler::rendered(const Work& work, const FrameTimings& timings) {
   const double render_ms = plausible_ms(timings.render_ms);
   state_->change([&](State& state, Time now) {
-    const std::string kind = state.end(work, render_ms, now);
+    const std::string kind = state.end(work, timings, render_ms, now);
     if (kind.empty()) return;
     state.metrics.count("cloudscape_frames_rendered_total{kind=\"" + kind + "\"}");
     if (kind == "background") return;

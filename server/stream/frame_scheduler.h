@@ -1,7 +1,8 @@
-// Who gets the next frame. Streams (viewers) and stills wait in one fair round robin; a stream's newest view wins; what
-// is in flight to a viewer is bounded by its acknowledgements; a view at rest is refined and then costs nothing. No
-// sockets, no GL. Every function may be called from any thread; only `take` waits. What names an unknown or finished
-// stream, still or frame is ignored.
+// Who gets the next frame. Each stream (viewer), and all stills together, have the same share of the renderer's time,
+// not of its frames: who asks for large ones gets fewer (turns.h). A stream's newest view wins; what is in flight to a
+// viewer is bounded by its acknowledgements; a view at rest is refined and then costs nothing. No sockets, no GL. Every
+// function may be called from any thread; only `take` waits. What names an unknown or finished stream, still or frame
+// is ignored.
 //
 // Moving: a view that changed is answered with a coarse frame (stage 0) whose cost follows the measured render time and
 // whose JPEG quality follows the measured link. Such a frame is always finished, so that a viewer who never rests sees

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/quality.h"
+
 namespace cloudscape::stream {
 
 // How much of a moving picture is marched anew in each frame, and at which resolution it is kept (core/quality.h).
@@ -13,6 +15,13 @@ struct MovingDetail {
 };
 // Finest first; each costs less than the one before.
 constexpr std::array<MovingDetail, 7> moving_details{{{1, 1}, {4, 1}, {16, 1}, {4, 2}, {16, 2}, {16, 3}, {16, 4}}};
+
+// Which of them a frame was rendered at; the finest where at none.
+constexpr int moving_detail_of(const RenderQuality& quality) {
+  for (std::size_t i = 0; i < moving_details.size(); ++i)
+    if (moving_details[i] == MovingDetail{quality.reuse, quality.resolution_divisor}) return static_cast<int>(i);
+  return 0;
+}
 
 // The detail of moving frames, so that a frame renders within the target.
 class DetailControl {

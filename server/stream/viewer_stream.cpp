@@ -1,8 +1,10 @@
 #include "stream/viewer_stream.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "stream/milliseconds.h"
+#include "stream/moving_frame.h"
 #include "stream/refinement.h"
 
 namespace cloudscape::stream {
@@ -98,22 +100,9 @@ Work ViewerStream::take(Time now) {
   return *work_;
 }
 
-Work ViewerStream::next_frame(const RenderQuality& quality, const Encoding& encoding) const {
+Work ViewerStream::next_frame(FrameRequest request, const Encoding& encoding) const {
   Work work;
-  work.request = {view_.cloudscape,
-                  view_.pose,
-                  view_.lens,
-                  view_.display,
-                  view_.march,
-                  view_.size_px,
-                  quality,
-                  view_.time_s,
-                  FrameContent::display,
-                  id_,
-                  sequence_,
-                  0,
-                  false,
-                  {}};
+  work.request = std::move(request);
   work.encoding = encoding;
   work.frame_id = next_frame_id_;
   work.pose_sequence = view_.pose_sequence;
@@ -134,24 +123,21 @@ Work ViewerStream::moving_frame() {
 
 Work ViewerStream::steadying_frame() {
   ++steadied_;
-  RenderQuality quality = render_quality(Quality::interactive);
-  quality.reuse = detail_.detail().reuse;
-  quality.resolution_divisor = detail_.detail().resolution_divisor;
-  quality.samples = 1;
-  Work work = next_frame(quality, {ImageFormat::jpeg, jpeg_.quality(), ChromaSubsampling::half});
+  Work work = next_frame(moving_request(view_, id_, sequence_, detail_.detail()),
+                         {ImageFormat::jpeg, jpeg_.quality(), ChromaSubsampling::half});
   work.quality_stage = moving_stage;
-  work.request.light_may_lag = true;
   work.queued = rendered_at_;
   return work;
 }
 
 Work ViewerStream::refining_frame() const {
-  RenderQuality quality = render_quality(marched(view_.quality));
-  const RefinementStep step = refinement_step(accumulated_, quality.samples);
-  quality.march_divisor = 1;
-  quality.samples = step.samples;
-  Work work = next_frame(quality, step.encoding);
-  work.request.first_sample = step.first_sample;
+  FrameRequest request = request_of(view_, id_, sequence_);
+  request.quality = render_quality(marched(view_.quality));
+  const RefinementStep step = refinement_step(accumulated_, request.quality.samples);
+  request.quality.march_divisor = 1;
+  request.quality.samples = step.samples;
+  request.first_sample = step.first_sample;
+  Work work = next_frame(std::move(request), step.encoding);
   work.quality_stage = step.stage;
   work.queued = rested_at();
   return work;

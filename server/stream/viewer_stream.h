@@ -35,7 +35,7 @@ class ViewerStream {
   Work moving_frame();
   Work steadying_frame();
   Work refining_frame() const;
-  Work next_frame(const RenderQuality& quality, const Encoding& encoding) const;
+  Work next_frame(FrameRequest request, const Encoding& encoding) const;
   void forget_work();
   void abandon();
 

@@ -176,6 +176,25 @@ test('no more streams than max_streams', async () => {
   await with_viewer(async viewer => viewer.hello(hello));
 });
 
+// Not only when nobody flies: then a server that is always busy would keep what every stream before has left.
+test('what a stream kept is freed while another one flies', () => with_viewer(async viewer => {
+  viewer.hello({ cloudscape, size_px: [64, 36] });
+  const turning = setInterval(() => viewer.camera(++viewer.sequence, { azimuth_deg: viewer.sequence % 360 }), 20);
+  const [all, largest] = ['cloudscape_history_bytes', 'cloudscape_history_largest_bytes'];
+  try {
+    const one = await until(async () => await server.metric('cloudscape_streams_open') === 1 && await server.metric(all), 'its memory');
+    assert.equal(await server.metric(largest), one);
+    await with_viewer(async other => {
+      other.hello({ cloudscape, size_px: [128, 72] });
+      await until(async () => await server.metric(all) === 5 * one, 'four times as much for a stream of four times the size');
+      assert.equal(await server.metric(largest), 4 * one);
+    });
+    await until(async () => await server.metric(all) === one, 'the memory of one stream');
+  } finally {
+    clearInterval(turning);
+  }
+}));
+
 test('a viewer that reads nothing does not slow another', async () => {
   const rendered = () => server.metric('cloudscape_frames_rendered_total{kind="stream"}');
   const measure = seconds => with_viewer(async viewer => {

@@ -88,6 +88,8 @@ TEST_F(Repeat, ForgettingAStreamFreesItsBytes) {
   renderer().render(b);
   const std::size_t bytes_a = 48 * 27 * (16 + 4), bytes_b = 16 * 16 * (16 + 4);
   EXPECT_EQ(renderer().history_bytes(), bytes_a + bytes_b);
+  EXPECT_EQ(renderer().history_bytes(b.stream), bytes_b);
+  EXPECT_EQ(renderer().history_bytes(b.stream + 1), 0U);
   EXPECT_EQ(renderer().remembered(), (std::vector<StreamId>{a.stream, b.stream}));
   renderer().forget(a.stream);
   EXPECT_EQ(renderer().history_bytes(), bytes_b);

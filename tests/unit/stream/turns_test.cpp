@@ -17,10 +17,12 @@ class TurnsTest : public SchedulerTest {
       const auto work = take();
       if (!work) continue;
       order.push_back(work->request.stream);
-      if (work->still)
+      if (work->still) {
+        pass(20);  // as long as a stream's frame
         EXPECT_TRUE(scheduler.yield(*work));
-      else
+      } else {
         show(*work);
+      }
     }
     return order;
   }

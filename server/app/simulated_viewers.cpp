@@ -1,0 +1,148 @@
+#include "app/simulated_viewers.h"
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "stream/milliseconds.h"
+#include "stream/refinement.h"
+
+namespace cloudscape::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Clock::duration seconds_long(double seconds) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+double place_on(const settings::CameraPath& path, double start_s, double flown_s) {
+  const double begin_s = path.keys.front().time_s, length_s = path.keys.back().time_s - begin_s;
+  if (length_s <= 0) return begin_s;
+  const double there_and_back_s = std::fmod(start_s - begin_s + flown_s, 2 * length_s);
+  return begin_s + std::min(there_and_back_s, 2 * length_s - there_and_back_s);
+}
+
+SimulatedViewers::SimulatedViewers(stream::FrameScheduler& scheduler, ViewersOptions options,
+                                   const std::vector<Viewer>& viewers)
+    : scheduler_(scheduler), options_(std::move(options)) {
+  for (const Viewer& viewer : viewers) {
+    Each each{viewer, {}, {}};
+    const stream::StreamView view = view_at(each, opened_);
+    viewers_.emplace(scheduler_.open(view), std::move(each));
+  }
+  thread_ = std::thread([this] { run(); });
+}
+
+SimulatedViewers::~SimulatedViewers() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  news_.notify_all();
+  thread_.join();
+  for (const auto& [stream, each] : viewers_) scheduler_.close(stream);
+}
+
+stream::StreamView SimulatedViewers::view_at(Each& each, Time now) {
+  const double flown_s = options_.speed * stream::milliseconds(now - opened_) / 1000;
+  const auto key = settings::key_at(options_.path, place_on(options_.path, each.viewer.start_s, flown_s));
+  stream::StreamView view = each.viewer.view;
+  view.pose = key.pose;
+  view.lens.vertical_fov_deg = key.vertical_fov_deg;
+  view.pose_sequence = each.sent.size();
+  each.sent.push_back(now);
+  return view;
+}
+
+void SimulatedViewers::run() {
+  pthread_setname_np(pthread_self(), "viewers");
+  const Clock::duration between = seconds_long(1 / options_.poses_per_s);
+  Time next = opened_ + between;
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    const Time due = acknowledgements_.empty() ? next : std::min(next, acknowledgements_.front().due);
+    news_.wait_until(lock, due);
+    const Time now = Clock::now();
+    acknowledge_due(now);
+    if (now < next) continue;
+    send_poses(now);
+    next = std::max(next + between, now);  // a late hand does not hurry
+  }
+}
+
+// With the lock: the scheduler calls nobody back.
+void SimulatedViewers::send_poses(Time now) {
+  for (auto& [stream, each] : viewers_) scheduler_.update(stream, view_at(each, now));
+}
+
+void SimulatedViewers::acknowledge_due(Time now) {
+  while (!acknowledgements_.empty() && acknowledgements_.front().due <= now) {
+    scheduler_.acknowledge(acknowledgements_.front().stream, acknowledgements_.front().frame_id, 0);
+    acknowledgements_.pop_front();
+  }
+}
+
+FramePump::Sink SimulatedViewers::sink() {
+  return {0,
+          [this](const stream::Work& work, const FrameTimings& timings, const EncodedFrame& image) {
+            deliver(work, timings, image);
+          },
+          [this](StreamId, const std::string& message, int) {
+            const std::lock_guard lock(mutex_);
+            if (failure_.empty()) failure_ = message;
+          },
+          [](StreamId, double, int) {}};
+}
+
+void SimulatedViewers::deliver(const stream::Work& work, const FrameTimings& timings, const EncodedFrame& image) {
+  const Time now = Clock::now();
+  const std::lock_guard lock(mutex_);
+  const auto found = viewers_.find(work.request.stream);
+  if (found == viewers_.end()) return;
+  Each& each = found->second;
+  if (work.quality_stage == stream::moving_stage)
+    each.frames.push_back({stream::milliseconds(now - measured_from_),
+                           stream::milliseconds(now - each.sent.at(work.pose_sequence)), timings.render_ms,
+                           timings.gpu_ms, timings.readback_ms, image.encode_ms,
+                           static_cast<double>(image.bytes.size()), stream::moving_detail_of(work.request.quality)});
+  if (options_.latency_ms <= 0) return scheduler_.acknowledge(work.request.stream, work.frame_id, 0);
+  acknowledgements_.push_back({now + seconds_long(options_.latency_ms / 1000), work.request.stream, work.frame_id});
+  news_.notify_all();
+}
+
+void SimulatedViewers::measure_from_now() {
+  const std::lock_guard lock(mutex_);
+  measured_from_ = Clock::now();
+  for (auto& [stream, each] : viewers_) each.frames.clear();
+}
+
+std::size_t SimulatedViewers::delivered() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t count = 0;
+  for (const auto& [stream, each] : viewers_) count += each.frames.size();
+  return count;
+}
+
+double SimulatedViewers::seconds() const {
+  const std::lock_guard lock(mutex_);
+  return stream::milliseconds(Clock::now() - measured_from_) / 1000;
+}
+
+std::vector<std::vector<bench::FlownFrame>> SimulatedViewers::frames() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::vector<bench::FlownFrame>> frames;
+  for (const auto& [stream, each] : viewers_) frames.push_back(each.frames);
+  return frames;
+}
+
+std::string SimulatedViewers::failure() const {
+  const std::lock_guard lock(mutex_);
+  return failure_;
+}
+
+}  // namespace cloudscape::app
