@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/march_steps.h"
+#include "core/sun_position.h"
 #include "render/block_values.h"
 
 namespace cloudscape::render {
@@ -63,6 +64,7 @@ Renderer::History& Renderer::history_of(const FrameRequest& request) {
 std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
   auto job = std::make_unique<RenderJob>();
   job->request = request;
+  job->request.cloudscape = at_time(request.cloudscape, request.time_s);
   const History& history = history_of(request);
   job->sample = request.first_sample == history.samples ? request.first_sample : 0;
   job->last_sample = job->sample + std::max(1, request.quality.samples) - 1;
