@@ -73,6 +73,7 @@ class Cockpit {
         quit_ = true;
     }
     if (commands.toggle_pointer) window_.hold_pointer(!window_.holds_pointer());
+    if (commands.toggle_clock) client_.turn_clock({{}, {}, !client_.status().clock.paused});
     if (commands.toggle_hud) with_figures_ = !with_figures_, last_title_ = {};
     if (commands.resized) resized_ = steady_clock::now();
     if (commands.resized || commands.exposed) window_.repaint();
@@ -84,12 +85,24 @@ class Cockpit {
     last_step_ = now;
     const Sight before = *sight_;
     if (const auto settings = adjust(*sight_, controls_.adjustment(), duration_s)) client_.change(*settings);
+    turn_clock(now, duration_s);
     const double pixel_deg = degrees_per_pixel(sight_->lens, window_.size_px().height);
     const FlightInput input = controls_.take_flight(pixel_deg, window_.holds_pointer(), duration_s);
     sight_->pose = fly(sight_->pose, input, sight_->speed_m_per_s, duration_s);
-    if (sight_->pose != before.pose || sight_->time_s != before.time_s)
-      latency_.sent(client_.look(sight_->pose, sight_->time_s), now);
+    if (sight_->pose != before.pose) latency_.sent(client_.look(sight_->pose), now);
     if (resized_ && now - *resized_ >= resize_rest) ask_for_size();
+  }
+
+  // Between two words of the server the clock's time is this viewer's own reckoning.
+  void turn_clock(Time now, double duration_s) {
+    const StreamStatus status = client_.status();
+    if (controls_.adjustment().time_s == 0) return turning_s_.reset();
+    if (!turning_s_)
+      turning_s_ =
+          RunningTime{status.clock.time_s, status.clock.paused ? 0 : status.clock.rate, status.clock_told}.at(now);
+    const auto change = turned(*turning_s_, controls_.adjustment(), duration_s);
+    turning_s_ = change->time_s;
+    client_.turn_clock(*change);
   }
 
   void ask_for_size() {
@@ -122,6 +135,7 @@ class Cockpit {
   StreamClient client_;
   std::optional<Sight> sight_;
   std::optional<Time> resized_;
+  std::optional<double> turning_s_;  // what the clock is being turned to
   LatencyMeter latency_;
   RateMeter frames_, bits_;
   Time last_step_{}, last_title_{};

@@ -59,6 +59,7 @@ void Controls::handle_key(const SDL_KeyboardEvent& key) {
   commands_.release_pointer |= key.keysym.sym == SDLK_ESCAPE;
   commands_.toggle_hud |= key.keysym.sym == SDLK_h;
   commands_.toggle_pointer |= key.keysym.sym == SDLK_l;
+  commands_.toggle_clock |= key.keysym.sym == SDLK_SPACE;
 }
 
 void Controls::handle_button(const SDL_MouseButtonEvent& button) {

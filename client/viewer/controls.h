@@ -10,7 +10,7 @@
 namespace cloudscape::viewer {
 
 struct Commands {
-  bool quit = false, resized = false, exposed = false, toggle_hud = false, toggle_pointer = false,
+  bool quit = false, resized = false, exposed = false, toggle_hud = false, toggle_pointer = false, toggle_clock = false,
        release_pointer = false;
   double speed_notches = 0;
 };

@@ -21,6 +21,7 @@ void merge(wire::Settings& into, const wire::Settings& changes) {
   if (changes.reset_sun) {
     into.sun_azimuth_deg.reset();
     into.sun_elevation_deg.reset();
+    into.sun_time_rate.reset();
     into.reset_sun = true;
   }
   take(into.size_px, changes.size_px);
@@ -31,6 +32,8 @@ void merge(wire::Settings& into, const wire::Settings& changes) {
   take(into.quality, changes.quality);
   take(into.sun_azimuth_deg, changes.sun_azimuth_deg);
   take(into.sun_elevation_deg, changes.sun_elevation_deg);
+  take(into.sun_time_rate, changes.sun_time_rate);
+  if (changes.follow_clock) into.time_s.reset(), into.follow_clock = true;
   take(into.time_s, changes.time_s);
 }
 
@@ -39,6 +42,7 @@ Outbox::Outbox(wire::Settings start) : view_(std::move(start)) {}
 void Outbox::connected() {
   connected_ = hello_due_ = true;
   settings_.reset();  // the hello holds them
+  clock_.reset();     // it has run on without this viewer
   camera_due_ = newest_camera_.has_value();
 }
 
@@ -60,6 +64,14 @@ void Outbox::change(const wire::Settings& settings) {
   merge(*settings_, settings);
 }
 
+void Outbox::turn(const ClockChange& change) {
+  if (!clock_) clock_.emplace();
+  take(clock_->time_s, change.time_s);
+  take(clock_->rate, change.rate);
+  take(clock_->paused, change.paused);
+  view_.time_s.reset();
+}
+
 void Outbox::acknowledge(const wire::Ack& ack) {
   if (connected_) acks_.push_back(ack);
 }
@@ -73,6 +85,7 @@ std::optional<wire::ClientMessage> Outbox::next() {
     return ack;
   }
   if (settings_) return *std::exchange(settings_, std::nullopt);
+  if (clock_) return *std::exchange(clock_, std::nullopt);
   if (std::exchange(camera_due_, false)) return *newest_camera_;
   return std::nullopt;
 }

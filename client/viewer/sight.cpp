@@ -17,7 +17,6 @@ Sight sight_of(const wire::Welcome& welcome) {
 }
 
 std::optional<wire::Settings> adjust(Sight& sight, const Adjustment& adjustment, double duration_s) {
-  sight.time_s = std::max(sight.time_s + adjustment.time_s * duration_s, 0.0);
   wire::Settings settings;
   if (adjustment.sun_azimuth_deg != 0) {
     sight.sun_azimuth_deg = std::fmod(sight.sun_azimuth_deg + adjustment.sun_azimuth_deg * duration_s, 360.0);
@@ -35,6 +34,11 @@ std::optional<wire::Settings> adjust(Sight& sight, const Adjustment& adjustment,
   }
   const bool told = settings.sun_azimuth_deg || settings.sun_elevation_deg || settings.display;
   return told ? std::optional(settings) : std::nullopt;
+}
+
+std::optional<ClockChange> turned(double time_s, const Adjustment& adjustment, double duration_s) {
+  if (adjustment.time_s == 0) return std::nullopt;
+  return ClockChange{std::clamp(time_s + adjustment.time_s * duration_s, 0.0, longest_time_s), {}, {}};
 }
 
 }  // namespace cloudscape::viewer

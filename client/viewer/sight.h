@@ -11,7 +11,7 @@ struct Sight {
   CameraPose pose;
   Lens lens;
   Display display;
-  double sun_azimuth_deg = 0, sun_elevation_deg = 0, time_s = 0;
+  double sun_azimuth_deg = 0, sun_elevation_deg = 0;
   double speed_m_per_s = 200;  // tuned: crosses a cumulus in a few seconds
 };
 
@@ -23,8 +23,10 @@ struct Adjustment {
 
 Sight sight_of(const wire::Welcome& welcome);
 
-// Changes the sight by what is held for `duration_s`; returns what the server must be told beside the pose and the
-// time.
+// Changes the sight by what is held for `duration_s`; returns what the server must be told beside the pose.
 std::optional<wire::Settings> adjust(Sight& sight, const Adjustment& adjustment, double duration_s);
+
+// What the document's clock is turned to by keys that are held for `duration_s`, where it shows `time_s` now.
+std::optional<ClockChange> turned(double time_s, const Adjustment& adjustment, double duration_s);
 
 }  // namespace cloudscape::viewer

@@ -52,6 +52,7 @@ struct StreamClient::State : LinkEvents {
     back_off.reset();
   }
   void take_message(const wire::Stats& stats) { status.stats = stats; }
+  void take_message(const ClockState& clock) { status.clock = clock, status.clock_told = now(); }
   // What a server says before its welcome answers the hello, which would be the same the next time.
   void take_message(const wire::ErrorMessage& error) {
     if (error.fatal || !welcomed)
@@ -182,7 +183,7 @@ StreamClient::~StreamClient() {
   state_->link.reset();
 }
 
-std::uint64_t StreamClient::look(const CameraPose& pose, double time_s) {
+std::uint64_t StreamClient::look(const CameraPose& pose, std::optional<double> time_s) {
   std::uint64_t sequence = 0;
   {
     const std::lock_guard lock(state_->mutex);
@@ -197,6 +198,14 @@ void StreamClient::change(const wire::Settings& settings) {
   {
     const std::lock_guard lock(state_->mutex);
     state_->outbox.change(settings);
+  }
+  state_->link->wake();
+}
+
+void StreamClient::turn_clock(const ClockChange& change) {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->outbox.turn(change);
   }
   state_->link->wake();
 }

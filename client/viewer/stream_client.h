@@ -16,6 +16,8 @@ struct StreamStatus {
   bool connected = false;
   std::optional<wire::Welcome> welcome;  // the last connection's
   wire::Stats stats;
+  ClockState clock;  // as it was last told
+  Time clock_told{};
   std::string notice;  // the last complaint of server or network, "" after a picture
   unsigned connections = 0;
   std::uint64_t frames_received = 0, bytes_received = 0;
@@ -30,8 +32,10 @@ class StreamClient {
   StreamClient(const Endpoint& endpoint, const wire::Settings& start, double patience_s, std::function<void()> news);
   ~StreamClient();
 
-  std::uint64_t look(const CameraPose& pose, double time_s);  // the pose's sequence number, from 1 on
+  // The pose's sequence number, from 1 on. Without a time the picture is that of the document's clock.
+  std::uint64_t look(const CameraPose& pose, std::optional<double> time_s = {});
   void change(const wire::Settings& settings);
+  void turn_clock(const ClockChange& change);  // of the document, for all who look at it
   // The newest decoded picture, if there is one before `deadline`. At most one more is decoded and one received ahead.
   std::optional<Picture> take_picture(Time deadline);
   void displayed(const Picture& picture);  // acknowledges it; call it once it is on display

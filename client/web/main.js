@@ -3,6 +3,7 @@
 import { AnimationLoop } from './animation_loop.js';
 import { explain, list_cloudscapes } from './api.js';
 import { FlightCamera, sum_intents } from './camera.js';
+import { Clock } from './clock.js';
 import { wait_ms } from './connection.js';
 import { Display } from './display.js';
 import { Gallery } from './gallery.js';
@@ -24,6 +25,7 @@ import { ViewState } from './view_state.js';
 
 const usual_cloudscape = 'fair-weather-cumulus';
 const resize_quiet_ms = 150;       // a dragged window edge asks for a size only when it rests
+const turning_quiet_ms = 400;      // tuned: frames of before a scrub do not pull the slider back
 const lock_deg_per_px = 0.1;       // tuned: a hand's width of mouse turns a half circle
 const turn_rate_per_fov = 1.1;     // a key turns by about a picture's height in a second
 const software_guess = { software: true, max_size_px: [1280, 720] };  // until the welcome tells
@@ -31,11 +33,14 @@ const software_guess = { software: true, max_size_px: [1280, 720] };  // until t
 const $ = id => document.getElementById(id);
 const store = new Store();
 const state = new ViewState();
+const clock = new Clock();
 const measures = new Measures();
 const camera = new FlightCamera({ position_m: [0, 0, 2], azimuth_deg: 0, elevation_deg: 10, roll_deg: 0 });
 let server = software_guess;
 let cloudscapes = [];
 let pose_is_due = false;
+let turned_ms = -Infinity;  // when this page last turned the clock
+let kept = null;            // what the clock was to do when the connection was lost
 
 if (matchMedia('(prefers-reduced-motion: reduce)').matches) camera.smoothing_s = 0;
 
@@ -59,13 +64,14 @@ const notices = new Notices({
 });
 const display = new Display({ sky: $('sky'), edge: $('edge') });
 const hud = new Hud({ root: $('hud'), measures });
-const receivers = { welcome, stats: values => hud.stats(values), error: ({ message }) => notices.toast(message, 6000) };
+const receivers = { welcome, stats: values => hud.stats(values), error: ({ message }) => notices.toast(message, 6000), clock: told_clock };
 const stream = new Stream({
   state, measures, size_px, display, token: () => store.token,
   on_frame: header => {
     notices.clear('preparing');
     document.body.dataset.stage = stage_word(header.quality_stage);
     hud.frame(header);
+    show_time(header.time_s);
   },
   on_message: message => receivers[message.type]?.(message),
   on_state: (name, detail) => {
@@ -75,7 +81,10 @@ const stream = new Stream({
       notices.preparing(title_of(state.chosen.cloudscape));
       wake();
     }
-    if (name === 'waiting') notices.waiting(detail.reason);
+    if (name === 'waiting') {
+      if (!clock.is_new) kept ??= { time_s: clock.time_s, rate: clock.rate, paused: clock.paused };
+      notices.waiting(detail.reason);
+    }
     if (name === 'refused') refused(detail);
   },
 });
@@ -99,6 +108,40 @@ function welcome(message) {
   panel.refresh();
   // The hello asked for what any server grants; this one may grant more.
   if (String(size_px()) !== asked) ask_size();
+}
+
+// --- time: the document's clock, or the link's own moment until somebody here turns the clock ---
+const shown_time_s = () => state.chosen.time_s ?? clock.time_s;
+const as_seen = () => ({ ...state.chosen, time_s: Math.round(shown_time_s() * 10) / 10 });
+
+function show_clock() {
+  const follows = state.chosen.time_s === undefined;
+  panel.show_clock({ playing: follows && !clock.paused, rate: clock.rate });
+  show_time(shown_time_s());
+}
+
+function show_time(time_s) {
+  if (performance.now() - turned_ms > turning_quiet_ms) panel.show_time(time_s);
+}
+
+function told_clock(told) {
+  clock.tell(told);
+  // A server that was started anew has forgotten it.
+  if (kept && clock.is_new && state.chosen.time_s === undefined) turn_clock(kept);
+  kept = null;
+  show_clock();
+}
+
+function turn_clock(change) {
+  const whole = state.chosen.time_s === undefined ? change : { time_s: state.chosen.time_s, ...change };
+  delete state.chosen.time_s;
+  turned_ms = performance.now();
+  clock.tell(whole);
+  stream.turn_clock(whole);
+  show_clock();
+  setTimeout(show_clock, turning_quiet_ms + 1);
+  if (change.rate === undefined) document.body.dataset.stage = stage_word(0);  // a rate alone changes no picture
+  address.touch();
 }
 
 // --- start, other skies, links ---
@@ -131,19 +174,22 @@ function open_cloudscape(name) {
   state.open(name);
   display.aim(null);
   address.write('pushState');
-  panel.toggle_play(false);
+  clock.tell({ time_s: 0, rate: 1, paused: true });  // until the server tells
+  kept = null;
   panel.refresh();
+  show_clock();
   stream.open();
 }
 
 function follow_link() {
   const { chosen, token } = parse_fragment(location.hash);
   if (token) store.token = token;
-  state.chosen = { time_s: 0, ...chosen, cloudscape: chosen.cloudscape ?? state.chosen.cloudscape };
+  state.chosen = { ...chosen, cloudscape: chosen.cloudscape ?? state.chosen.cloudscape };
   if (chosen.pose) camera.place(chosen.pose);
   display.aim(chosen.pose);
   if (token) address.write('replaceState');  // the token leaves the visible address at once
   panel.refresh();
+  show_clock();
 }
 
 const address = new AddressBar({ window, read: () => state.chosen });
@@ -157,13 +203,9 @@ addEventListener('hashchange', () => {
 const loop = new AnimationLoop(dt_s => {
   camera.turn_rate_deg_per_s = turn_rate_per_fov * state.get('vertical_fov_deg');
   const moves = camera.step(dt_s, sum_intents(inputs.map(input => input.intent(dt_s))));
-  if (panel.playing) {
-    state.chosen.time_s = (state.chosen.time_s ?? 0) + dt_s * panel.rate;
-    panel.show_time();
-  }
-  if (moves || panel.playing) changed();
+  if (moves) changed();
   if (pose_is_due && state.chosen.pose && stream.offer_pose()) pose_is_due = false;
-  return moves || panel.playing || (pose_is_due && stream.connection.is_live) || gamepad.connected;
+  return moves || (pose_is_due && stream.connection.is_live) || gamepad.connected;
 });
 const wake = () => loop.wake();
 
@@ -192,9 +234,14 @@ function change_speed(factor) {
 // --- panel and inputs ---
 const panel = new Panel({
   root: $('panel'), state,
-  on_cloudscape: open_cloudscape, on_clock: wake,
+  on_cloudscape: open_cloudscape, on_clock: turn_clock,
   on_choose: members => {
     stream.settings(state.choose(members));
+    address.touch();
+  },
+  on_sun: members => {
+    stream.settings(state.choose_sun(members));
+    panel.refresh();
     address.touch();
   },
   on_resolution: choice => {
@@ -202,7 +249,7 @@ const panel = new Panel({
     ask_size();
   },
 });
-const stills = new Stills({ state, token: () => store.token, window_size_px });
+const stills = new Stills({ state: { get chosen() { return as_seen(); } }, token: () => store.token, window_size_px });
 const still_panel = new StillPanel({ root: $('panel'), stills, window_size_px });
 
 new Gallery({
@@ -214,7 +261,7 @@ const show_panel = shown => toggle_panel($('panel'), $('show'), shown);
 const toggle_hud = () => store.set('hud', document.body.classList.toggle('no-hud') ? 'off' : 'on');
 const reset = () => open_cloudscape(state.chosen.cloudscape);
 async function copy() {
-  address.write('replaceState');
+  address.write('replaceState', as_seen());  // a link shows this very moment
   notices.toast(await copy_link());
 }
 

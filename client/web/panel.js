@@ -1,11 +1,13 @@
 // The panel: sliders, selects and the list of skies, bound to the view's state.
 
+import { time_of_day } from './clock.js';
+
 const compass = ['N', 'NE', 'E', 'SE', 'S', 'SW', 'W', 'NW'];
 
 export function clock_text(seconds) {
-  const whole = Math.floor(seconds);
+  const whole = Math.floor(Math.abs(seconds));
   const two = value => String(value).padStart(2, '0');
-  return `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
+  return `${seconds <= -1 ? '-' : ''}${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
 }
 
 const degrees = value => `${Math.round(value * 10) / 10}°`;
@@ -17,20 +19,27 @@ const texts = {
   time_s: clock_text,
 };
 const selects = ['tone_curve', 'quality'];
+const suns = ['sun_azimuth_deg', 'sun_elevation_deg'];
 
 export class Panel {
-  // `on_choose({name: value})` for what the stream knows; `on_cloudscape(name)`; `on_clock({playing, rate})`;
-  // `on_resolution(choice)`.
-  constructor({ root, state, on_choose, on_cloudscape, on_clock, on_resolution }) {
+  #time_s = 0;
+  // `on_choose({name: value})` for what the stream knows, `on_sun` for where the sun stands or how it runs;
+  // `on_cloudscape(name)`; `on_clock({time_s, rate, paused})` with what is to change; `on_resolution(choice)`.
+  constructor({ root, state, on_choose, on_sun, on_cloudscape, on_clock, on_resolution }) {
     Object.assign(this, { root, state, on_cloudscape, on_clock });
     this.playing = false;
     for (const name of Object.keys(texts)) {
       const slider = this.#control(name);
+      const changed = name === 'time_s' ? on_clock : suns.includes(name) ? on_sun : on_choose;
       slider.addEventListener('input', () => {
-        on_choose({ [name]: slider.valueAsNumber });
+        changed({ [name]: slider.valueAsNumber });
         this.#show_slider(name, slider.valueAsNumber);
       });
     }
+    this.#control('sun_runs').addEventListener('change', event => {
+      on_sun({ sun_time_rate: event.target.checked ? 1 : 0 });
+      this.refresh();
+    });
     for (const name of selects) {
       this.#control(name).addEventListener('change', event => on_choose({ [name]: event.target.value }));
     }
@@ -38,17 +47,17 @@ export class Panel {
     this.resolution.addEventListener('change', () => on_resolution(this.resolution.value));
     this.play = this.#control('play');
     this.play.addEventListener('click', () => this.toggle_play());
-    for (const radio of this.#rates()) radio.addEventListener('change', () => this.#clock());
+    for (const radio of this.#rates()) radio.addEventListener('change', () => on_clock({ rate: Number(radio.value) }));
   }
 
-  get rate() {
-    return Number(this.#rates().find(radio => radio.checked).value);
+  toggle_play() {
+    this.on_clock({ paused: this.playing });
   }
 
-  toggle_play(playing = !this.playing) {
+  show_clock({ playing, rate }) {
     this.playing = playing;
     this.play.setAttribute('aria-pressed', String(playing));
-    this.#clock();
+    for (const radio of this.#rates()) radio.checked = Number(radio.value) === rate;
   }
 
   // `title` and `description` come from documents: they are text, never markup.
@@ -68,15 +77,27 @@ export class Panel {
   }
 
   refresh() {
-    for (const name of Object.keys(texts)) this.#show_slider(name, this.state.get(name) ?? 0);
+    for (const name of Object.keys(texts)) if (name !== 'time_s') this.#show_slider(name, this.state.get(name) ?? 0);
+    this.#show_sun();
     for (const name of selects) this.#control(name).value = this.state.get(name) ?? 'standard';
     for (const radio of this.root.querySelectorAll('[name=cloudscape]')) {
       radio.checked = radio.value === this.state.chosen.cloudscape;
     }
   }
 
-  show_time() {
-    this.#show_slider('time_s', this.state.get('time_s') ?? 0);
+  show_time(time_s) {
+    this.#time_s = time_s;
+    this.#show_slider('time_s', time_s);
+    this.#show_sun();
+  }
+
+  // A sun that has been put somewhere by hand stands there; the document's own can run with the time where it has one.
+  #show_sun() {
+    const time_utc = this.state.get('time_utc'), turned = suns.some(name => this.state.chosen[name] !== undefined);
+    const rate = turned ? 0 : this.state.get('sun_time_rate') ?? 0;
+    this.#control('sun_time').hidden = !time_utc;
+    this.#control('sun_runs').checked = rate !== 0;
+    this.#control('time_of_day').textContent = time_utc && !turned ? time_of_day(time_utc, rate, this.#time_s) : '';
   }
 
   #control(id) {
@@ -85,10 +106,6 @@ export class Panel {
 
   #rates() {
     return [...this.root.querySelectorAll('[name=rate]')];
-  }
-
-  #clock() {
-    this.on_clock({ playing: this.playing, rate: this.rate });
   }
 
   #show_slider(name, value) {

@@ -55,7 +55,7 @@ export function view_members(chosen) {
     if (chosen.exposure_ev !== undefined) members.display.exposure_ev = chosen.exposure_ev;
     if (chosen.tone_curve !== undefined) members.display.tone_curve = chosen.tone_curve;
   }
-  for (const name of ['quality', 'sun_azimuth_deg', 'sun_elevation_deg', 'time_s']) {
+  for (const name of ['quality', 'sun_azimuth_deg', 'sun_elevation_deg', 'sun_time_rate', 'time_s']) {
     if (chosen[name] !== undefined) members[name] = chosen[name];
   }
   return members;
@@ -67,6 +67,11 @@ export function hello_message(chosen, size_px) {
 
 export function camera_message(pose_sequence, pose, time_s) {
   return { type: 'camera', pose_sequence, pose, time_s };
+}
+
+// Turns the document's clock, for all who look at it; without members it is only followed again.
+export function clock_message({ time_s, rate, paused }) {
+  return { type: 'clock', time_s, rate, paused };
 }
 
 export function ack_message(frame_id, decode_ms) {

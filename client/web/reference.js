@@ -13,6 +13,7 @@ export function reference_body(state, { format, samples, width, height }) {
   const sun = {};
   if (chosen.sun_azimuth_deg !== undefined) sun.azimuth_deg = chosen.sun_azimuth_deg;
   if (chosen.sun_elevation_deg !== undefined) sun.elevation_deg = chosen.sun_elevation_deg;
+  if (chosen.sun_time_rate !== undefined) sun.place = { time_rate: chosen.sun_time_rate };
   const image = { width, height, quality: 'reference', samples, format, ...given(['time_s', 'exposure_ev', 'tone_curve']) };
   return { cloudscape: chosen.cloudscape, camera, image, sun };
 }

@@ -16,6 +16,7 @@ export function still_query(state, { format, quality, width, height }) {
   for (const name of light_names) {
     if (chosen[name] !== undefined) query.set(name, chosen[name]);
   }
+  if (chosen.sun_time_rate !== undefined) query.set('time_rate', chosen.sun_time_rate);
   for (const [name, value] of Object.entries({ width, height, quality, format })) query.set(name, value);
   return query;
 }

@@ -3,7 +3,7 @@
 import { Connection } from './connection.js';
 import { diagnose, stream_url } from './api.js';
 import { LatestFrame, make_decode } from './decoder.js';
-import { ack_message, camera_message, hello_message, read_frame } from './protocol.js';
+import { ack_message, camera_message, clock_message, hello_message, read_frame } from './protocol.js';
 
 const camera_interval_ms = 10;       // fast displays must not exceed the server's rate of messages
 const settings_interval_ms = 30;     // nor may a slider
@@ -15,6 +15,7 @@ export class Stream {
   #camera_sent_ms = 0;
   #owed = [];
   #unsent = {};
+  #clock = null;
   #settings_timer = null;
   #hidden_timer = null;
 
@@ -59,15 +60,24 @@ export class Stream {
     this.#settings_timer ??= setTimeout(() => this.#send_settings(), settings_interval_ms);
   }
 
+  // Merged likewise.
+  turn_clock(members) {
+    this.#clock = { ...this.#clock, ...members };
+    this.#settings_timer ??= setTimeout(() => this.#send_settings(), settings_interval_ms);
+  }
+
   #send_settings() {
     this.#settings_timer = null;
-    if (!this.connection.is_live || Object.keys(this.#unsent).length === 0) return;
-    this.connection.send({ type: 'settings', ...this.#unsent });
+    if (!this.connection.is_live) return;
+    if (Object.keys(this.#unsent).length > 0) this.connection.send({ type: 'settings', ...this.#unsent });
+    if (this.#clock) this.connection.send(clock_message(this.#clock));
     this.#unsent = {};
+    this.#clock = null;
   }
 
   #hello() {
     this.#unsent = {};
+    this.#clock = null;
     this.frames.reset();
     this.#owed = [];
     return hello_message(this.state.chosen, this.size_px());

@@ -3,12 +3,13 @@
 const numbers = {
   azimuth_deg: { digits: 2 }, elevation_deg: { digits: 2 }, roll_deg: { digits: 2 },
   vertical_fov_deg: { digits: 1 }, sun_azimuth_deg: { digits: 1 }, sun_elevation_deg: { digits: 1 },
-  exposure_ev: { digits: 2 }, time_s: { digits: 1 },
+  sun_time_rate: { digits: 2 }, exposure_ev: { digits: 2 }, time_s: { digits: 1 },
 };
 const pose_names = ['azimuth_deg', 'elevation_deg', 'roll_deg'];
 const limits = {
   azimuth_deg: [-36000, 36000], elevation_deg: [-90, 90], roll_deg: [-360, 360], vertical_fov_deg: [1, 170],
-  sun_azimuth_deg: [-360, 360], sun_elevation_deg: [-90, 90], exposure_ev: [-20, 20], time_s: [0, 1e6],
+  sun_azimuth_deg: [-360, 360], sun_elevation_deg: [-90, 90], sun_time_rate: [-3600, 3600],
+  exposure_ev: [-20, 20], time_s: [-1.6e7, 1.6e7],
 };
 export const tone_curves = ['agx', 'aces', 'reinhard', 'none'];
 export const qualities = ['draft', 'interactive', 'standard', 'high', 'finest'];
@@ -34,8 +35,7 @@ export function format_fragment(chosen) {
     }
   }
   for (const name of Object.keys(numbers)) {
-    const is_start = name === 'time_s' && !chosen.time_s;
-    if (pose_names.includes(name) || chosen[name] === undefined || is_start) continue;
+    if (pose_names.includes(name) || chosen[name] === undefined) continue;
     add(name, short(chosen[name], numbers[name].digits));
   }
   for (const name of ['tone_curve', 'quality']) if (chosen[name] !== undefined) add(name, chosen[name]);
@@ -89,10 +89,10 @@ export class AddressBar {
     this.#timer ??= setTimeout(() => this.write('replaceState'), interval_ms);
   }
 
-  write(how) {
+  write(how, view = this.read()) {
     clearTimeout(this.#timer);
     this.#timer = null;
-    this.#written = `#${format_fragment(this.read())}`;
+    this.#written = `#${format_fragment(view)}`;
     if (this.window.location.hash !== this.#written) this.window.history[how](null, '', this.#written);
   }
 }

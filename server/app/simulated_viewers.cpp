@@ -1,4 +1,5 @@
 #include "app/simulated_viewers.h"
+#include "stream/quality_control.h"
 
 #include <pthread.h>
 
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "stream/milliseconds.h"
+#include "stream/quality_control.h"
 #include "stream/refinement.h"
 
 namespace cloudscape::app {

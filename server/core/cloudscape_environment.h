@@ -16,6 +16,7 @@ struct Place {
   double latitude_deg = 0.0;
   double longitude_deg = 0.0;
   std::string time_utc;
+  double time_rate = 0.0;
   bool operator==(const Place&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -24,6 +25,10 @@ struct Place {
     visit("time_utc", self.time_utc, Limits{0, 30},
           "Date and time, such as 2026-06-21T12:00:00Z, 1901 to 2099; sets the azimuth and elevation of sun and moon, "
           "and turns the stars. Empty: they stand where they are put.");
+    visit(
+        "time_rate", self.time_rate, Limits{-3600, 3600},
+        "How fast the time here runs beside time_s, which counts from time_utc: 1: as fast, 60: a minute in a second. "
+        "0: sun and moon stand still. Needs a time_utc.");
   }
 };
 
@@ -129,12 +134,20 @@ struct Ground {
 struct Wind {
   double speed_m_per_s = 8.0;
   double towards_azimuth_deg = 60.0;
+  double shear_per_s = 0.0;
+  double evolution_m_per_s = 0.5;
   bool operator==(const Wind&) const = default;
 
   static void fields(auto& self, auto&& visit) {
-    visit("speed_m_per_s", self.speed_m_per_s, Limits{0, 200}, "How fast the clouds drift, m/s.");
+    visit("speed_m_per_s", self.speed_m_per_s, Limits{0, 200},
+          "How fast the wind blows at sea level, m/s; a layer drifts with the wind at its bottom.");
     visit("towards_azimuth_deg", self.towards_azimuth_deg, Limits{-360, 360},
-          "Where they drift to, clockwise from north, degrees.");
+          "Where it blows to, clockwise from north, degrees.");
+    visit("shear_per_s", self.shear_per_s, Limits{-0.02, 0.02},
+          "Change of its speed for each metre of altitude, 1/s; it also makes the clouds of a tiling noise lean. 0.001 "
+          "is usual, 0.003 much.");
+    visit("evolution_m_per_s", self.evolution_m_per_s, Limits{0, 20},
+          "How fast the clouds' detail rises through them, m/s, by which they change as they drift; 0: they do not.");
   }
 };
 

@@ -165,9 +165,24 @@ std::array<glm::dvec3, 3> star_axes(double day, double latitude_deg, double long
           glm::dvec3(0, cos_deg(latitude_deg), sin_deg(latitude_deg))};
 }
 
-void place_sun_and_moon(Cloudscape& cloudscape) {
-  const Place& place = cloudscape.sun.place;
+std::optional<double> julian_day_at(const Place& place, double time_s) {
+  constexpr double step_s = 4, day_s = 86400;
   const std::optional<double> day = julian_day(place.time_utc);
+  if (!day) return day;
+  return *day + step_s * std::round(place.time_rate * time_s / step_s) / day_s;
+}
+
+std::shared_ptr<const Cloudscape> at_time(const std::shared_ptr<const Cloudscape>& cloudscape, double time_s) {
+  const Place& place = cloudscape->sun.place;
+  if (place.time_rate * time_s == 0 || place.time_utc.empty()) return cloudscape;
+  auto moved = std::make_shared<Cloudscape>(*cloudscape);
+  place_sun_and_moon(*moved, time_s);
+  return moved;
+}
+
+void place_sun_and_moon(Cloudscape& cloudscape, double time_s) {
+  const Place& place = cloudscape.sun.place;
+  const std::optional<double> day = julian_day_at(place, time_s);
   if (!day) return;
   const HorizontalPosition sun = sun_position(*day, place.latitude_deg, place.longitude_deg);
   const HorizontalPosition moon = moon_position(*day, place.latitude_deg, place.longitude_deg);

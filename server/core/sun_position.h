@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -37,7 +38,14 @@ EclipticPosition moon_ecliptic(double julian_day);
 // World directions of the star sphere's axes: right ascension 0, 90 degrees, the pole.
 std::array<glm::dvec3, 3> star_axes(double julian_day, double latitude_deg, double longitude_deg);
 
+// The Julian day at a place when the clock shows `time_s`; nullopt where the place has no time. It goes in steps of 4
+// s, in which the sun moves by a thirtieth of its width: what depends on the sun need not be computed more often.
+std::optional<double> julian_day_at(const Place& place, double time_s);
+
 // Puts sun and moon where they stand at sun.place; nothing where it has no time.
-void place_sun_and_moon(Cloudscape& cloudscape);
+void place_sun_and_moon(Cloudscape& cloudscape, double time_s = 0);
+
+// The document as it is when the clock shows `time_s`; itself where its sun stands still.
+std::shared_ptr<const Cloudscape> at_time(const std::shared_ptr<const Cloudscape>& cloudscape, double time_s);
 
 }  // namespace cloudscape

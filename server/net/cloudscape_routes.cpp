@@ -53,6 +53,7 @@ Response put(const Request& request, const std::string& name, Site& site) {
 Response remove(const std::string& name, Site& site) {
   if (is_preset(site.parts.cloudscapes, name)) return preset_problem(name);
   site.parts.cloudscapes.remove(name);
+  site.clocks.erase(name);
   return empty_response(204);
 }
 

@@ -1,4 +1,4 @@
-// What waits for one viewer's socket: messages in order, and of frames only the newest.
+// What waits for one viewer's socket: messages in order, and of clocks and frames only the newest.
 #pragma once
 #include <cstdint>
 #include <deque>
@@ -23,6 +23,7 @@ struct Outbox {
     std::string reason;
   };
   std::deque<std::string> texts;
+  std::optional<std::string> clock;  // what was last to be told of it
   std::optional<OutgoingFrame> frame;
   std::optional<Close> close;  // after the texts
 };

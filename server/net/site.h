@@ -1,6 +1,7 @@
 // What the routes and the sessions of one server share. Used on the network thread only.
 #pragma once
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -10,6 +11,7 @@
 #include "net/limits.h"
 #include "net/server.h"
 #include "net/still_desk.h"
+#include "stream/shared_clock.h"
 
 namespace cloudscape::net {
 
@@ -27,6 +29,7 @@ struct Site {
   std::optional<RendererInfo> renderer;  // nullopt: still starting
   bool draining = false;
   std::set<StreamSession*> sessions;
+  std::map<std::string, stream::SharedClock> clocks;  // of the documents that are, or were, looked at, by name
 
   bool ready() const { return renderer && !draining; }
 };

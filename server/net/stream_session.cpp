@@ -60,42 +60,78 @@ void StreamSession::on_message(std::string_view text, bool binary, Instant now) 
     const auto& shown = viewed_.view;
     const wire::ClientMessage parsed =
         wire::parse_client_message(text, {shown.pose, shown.lens, shown.display, shown.march});
-    if (const auto* hello = std::get_if<wire::Hello>(&parsed)) return receive(*hello, text);
+    if (const auto* hello = std::get_if<wire::Hello>(&parsed)) return receive(*hello, text, now);
     if (!stream_) throw Breach("/type", "must be \"hello\" in the first message");
     if (const auto* camera = std::get_if<wire::Camera>(&parsed)) return receive(*camera);
-    if (const auto* settings = std::get_if<wire::Settings>(&parsed)) return receive(*settings);
+    if (const auto* settings = std::get_if<wire::Settings>(&parsed)) return receive(*settings, now);
+    if (const auto* change = std::get_if<ClockChange>(&parsed)) return receive(*change, now);
     receive(std::get<wire::Ack>(parsed), now);
   } catch (const Error& error) {
     answer_error(error, text);
   }
 }
 
-void StreamSession::receive(const wire::Hello& hello, std::string_view text) {
+void StreamSession::receive(const wire::Hello& hello, std::string_view text, Instant now) {
   if (stream_) throw Breach("", "A viewer says hello once.");
   if (hello.version != 1) throw Breach("/version", "must be 1");
   viewed_ = viewed_by(hello, text, site_.parts.cloudscapes, site_.parts.settings);
+  set_time();
   stream_ = site_.parts.scheduler.open(viewed_.view);
   greet();
+  tell_clock(now);
 }
 
 void StreamSession::greet() {
-  const auto& [document, name, azimuth, elevation, view] = viewed_;
   const RendererInfo info = site_.renderer.value_or(RendererInfo{});
+  const stream::StreamView& view = viewed_.view;
   const Sun& sun = view.cloudscape->sun;
-  send(wire::Welcome{version, info.renderer, info.software, name, view.pose, view.lens, view.display, sun.azimuth_deg,
-                     sun.elevation_deg, view.size_px, max_stream_size_px(site_.parts.settings)});
+  send(wire::Welcome{version, info.renderer, info.software, viewed_.name, view.pose, view.lens, view.display,
+                     sun.azimuth_deg, sun.elevation_deg, view.size_px, max_stream_size_px(site_.parts.settings),
+                     viewed_.document->sun.place.time_utc, sun.place.time_rate});
 }
 
-void StreamSession::receive(const wire::Settings& settings) {
+void StreamSession::receive(const wire::Settings& settings, Instant now) {
   viewed_ = changed(viewed_, settings, site_.parts.cloudscapes, site_.parts.settings);
-  site_.parts.scheduler.update(*stream_, viewed_.view);
+  look();
+  if (settings.cloudscape || settings.cloudscape_document) tell_clock(now);
 }
 
 void StreamSession::receive(const wire::Camera& camera) {
   viewed_.view.pose = camera.pose;
   viewed_.view.pose_sequence = camera.pose_sequence;
-  if (camera.time_s) viewed_.view.time_s = *camera.time_s;
+  if (camera.time_s) viewed_.view.time_s = *camera.time_s, viewed_.own_time = true;
+  look();
+}
+
+// Of the document, so that all who look at it hear of the change.
+void StreamSession::receive(const ClockChange& change, Instant now) {
+  viewed_.own_time = false;
+  clock().change(change, now);
+  if (viewed_.name.empty()) return on_clock_changed(now);
+  for (StreamSession* other : site_.sessions)
+    if (other->stream_ && other->viewed_.name == viewed_.name) other->on_clock_changed(now);
+}
+
+void StreamSession::on_clock_changed(Instant now) {
+  if (closing()) return;
+  look();
+  tell_clock(now);
+}
+
+stream::SharedClock& StreamSession::clock() { return viewed_.name.empty() ? own_clock_ : site_.clocks[viewed_.name]; }
+
+void StreamSession::set_time() {
+  viewed_.view.clock = viewed_.own_time ? std::nullopt : std::optional(clock().running());
+}
+
+void StreamSession::look() {
+  set_time();
   site_.parts.scheduler.update(*stream_, viewed_.view);
+}
+
+void StreamSession::tell_clock(Instant now) {
+  outbox_.clock = wire::to_text(clock().read(now));
+  wake_();
 }
 
 void StreamSession::receive(const wire::Ack& ack, Instant now) {
@@ -129,7 +165,7 @@ void StreamSession::on_second(Instant now) {
 void StreamSession::on_document_changed(const std::string& name) {
   if (!stream_ || closing() || viewed_.name != name) return;
   viewed_ = reloaded(viewed_, site_.parts.cloudscapes);
-  site_.parts.scheduler.update(*stream_, viewed_.view);
+  look();
 }
 
 void StreamSession::offer(const stream::Work& work, const FrameTimings& timings, EncodedFrame frame) {
@@ -182,6 +218,7 @@ void StreamSession::close(int code, const std::string& reason) {
   if (stream_) site_.parts.scheduler.close(*stream_);
   stream_.reset();
   outbox_.frame.reset();
+  outbox_.clock.reset();
   outbox_.close = {code, reason};
   wake_();
 }

@@ -50,6 +50,7 @@ int StreamSocket::on_writable() {
   if (close_sent_) return 0;  // closing again would hang up before the viewer has answered
   Outbox& outbox = session_.outbox();
   int result = 0;
+  if (outbox.clock && outbox.texts.empty()) outbox.texts.push_back(*std::exchange(outbox.clock, std::nullopt));
   if (sending_)
     result = write_frame_part();
   else if (!outbox.texts.empty())
@@ -60,7 +61,7 @@ int StreamSocket::on_writable() {
     sending_ = std::exchange(outbox.frame, std::nullopt), sent_ = 0, result = write_frame_part();
   // While a message is discarded the close waits for its end, or for the timer: closing with unread bytes would make
   // the kernel send a reset, which can overtake the reason.
-  const bool more = sending_ || !outbox.texts.empty() || outbox.frame || (outbox.close && !discarding_);
+  const bool more = sending_ || !outbox.texts.empty() || outbox.clock || outbox.frame || (outbox.close && !discarding_);
   if (result == 0 && more) lws_callback_on_writable(wsi_);
   return result;
 }

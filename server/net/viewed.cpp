@@ -50,6 +50,8 @@ void choose_document(Viewed& viewed, const wire::Settings& settings, const setti
 
 void move_sun(Viewed& viewed, const wire::Settings& settings) {
   if (settings.reset_sun) viewed.sun_azimuth_deg.reset(), viewed.sun_elevation_deg.reset();
+  if (settings.reset_sun || settings.cloudscape || settings.cloudscape_document) viewed.sun_time_rate.reset();
+  if (settings.sun_time_rate) viewed.sun_time_rate = settings.sun_time_rate;
   if (settings.sun_azimuth_deg) viewed.sun_azimuth_deg = settings.sun_azimuth_deg;
   if (settings.sun_elevation_deg) viewed.sun_elevation_deg = settings.sun_elevation_deg;
 }
@@ -60,8 +62,9 @@ void put_sun_into_view(Viewed& viewed) {
   moved.sun.azimuth_deg = viewed.sun_azimuth_deg.value_or(moved.sun.azimuth_deg);
   moved.sun.elevation_deg = viewed.sun_elevation_deg.value_or(moved.sun.elevation_deg);
   const Sun& before = viewed.document->sun;
+  moved.sun.place.time_rate = viewed.sun_time_rate.value_or(before.place.time_rate);
   if (moved.sun.azimuth_deg != before.azimuth_deg || moved.sun.elevation_deg != before.elevation_deg)
-    moved.sun.place.time_utc.clear();
+    moved.sun.place.time_utc.clear(), moved.sun.place.time_rate = 0;
   if (viewed.view.cloudscape && *viewed.view.cloudscape == moved) return;
   viewed.view.cloudscape =
       moved == *viewed.document ? viewed.document : std::make_shared<const Cloudscape>(std::move(moved));
@@ -80,6 +83,12 @@ void change_view(stream::StreamView& view, const wire::Settings& settings) {
   take(view.march, settings.march);
   take(view.quality, settings.quality);
   take(view.time_s, settings.time_s);
+}
+
+void check_sun(const Viewed& viewed, const wire::Settings& settings) {
+  if (settings.sun_time_rate.value_or(0) != 0 && viewed.document->sun.place.time_utc.empty())
+    throw InvalidInput("/sun_time_rate",
+                       "must be 0 or absent: the cloudscape names no place and time (sun.place.time_utc) for its sun");
 }
 
 }  // namespace
@@ -110,9 +119,11 @@ Viewed changed(Viewed viewed, const wire::Settings& settings, const settings::Cl
                const settings::ServerSettings& limits) {
   choose_document(viewed, settings, library);
   settings::check_bake(*viewed.document, limits.max_bake_mib, "/cloudscape");
+  check_sun(viewed, settings);
   move_sun(viewed, settings);
   put_sun_into_view(viewed);
   change_view(viewed.view, settings);
+  viewed.own_time = (viewed.own_time && !settings.follow_clock) || settings.time_s;
   check_size(viewed.view.size_px, limits);
   check_march(viewed.view, limits);
   return viewed;

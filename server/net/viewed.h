@@ -14,7 +14,8 @@ namespace cloudscape::net {
 struct Viewed {
   std::shared_ptr<const Cloudscape> document;  // as it was written
   std::string name;                            // "" for a document of the client's own
-  std::optional<double> sun_azimuth_deg, sun_elevation_deg;
+  std::optional<double> sun_azimuth_deg, sun_elevation_deg, sun_time_rate;
+  bool own_time = false;    // view.time_s, and not the document's clock
   stream::StreamView view;  // its cloudscape is the document with the sun moved
 };
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/march_steps.h"
+#include "core/wind.h"
 #include "render/block_values.h"
 
 namespace cloudscape::render {
@@ -15,9 +16,13 @@ double fraction(double value) { return value - std::floor(value); }
 
 // Where the point below the camera lies in a pattern that drifts with the wind, m.
 glm::dvec2 drifted(const FrameRequest& request) {
-  const Wind& wind = request.cloudscape->wind;
-  const glm::dvec3 drift = direction_of(wind.towards_azimuth_deg, 0) * wind.speed_m_per_s * request.time_s;
-  return {request.pose.position_m.x - drift.x, request.pose.position_m.y - drift.y};
+  return glm::dvec2(request.pose.position_m) - drift_m_per_s(*request.cloudscape) * request.time_s;
+}
+
+// A pattern that repeats, seen from a point: 1 / period, and where in its period the point lies. The whole periods are
+// taken off in double precision, so that neither far ways nor long times are seen.
+vec4 repeating(double period_m, const glm::dvec3& at_m) {
+  return {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), fraction(at_m.z / period_m)};
 }
 
 vec4 tile_of(const Volume& volume, const glm::dvec2& at_m) {
@@ -74,9 +79,12 @@ void set_shape(CloudBlock& block, const FrameRequest& request, const bake::Baked
                  sky.volume.tiling ? variation_shift : 0.0};
   block.weights = {1, weights[0], weights[1], weights[2]};
   const double period_m = 4 * slow.wavelength_m;  // shaders/bake/variation.comp
-  block.variation = {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), 0};
-  block.detail = {1 / sky.detail.period_m, fraction(at_m.x / sky.detail.period_m),
-                  fraction(at_m.y / sky.detail.period_m), 0};
+  const Evolution moved = evolution(sky.wind, request.time_s);
+  block.variation = repeating(period_m, glm::dvec3(at_m - moved.coverage_m, 0));
+  block.detail = repeating(sky.detail.period_m, glm::dvec3(at_m, 0) - moved.detail_m);
+  // The same texture again, finer. tuned: the ratio is no whole number, so that the two never line up.
+  block.fine_detail = repeating(sky.detail.period_m / 4.7, glm::dvec3(at_m, 0) - moved.fine_detail_m);
+  block.lean = {lean_m(sky).x, lean_m(sky).y, 0, 0};
   // tuned: steps longer than half a detail tile would sample it at random; its finest part is worth its cost up close.
   // tuned: shape noise changes by about this much a metre, so that samples far apart do not fall through thin edges.
   constexpr double shape_per_m = 1.2e-4;
@@ -85,11 +93,12 @@ void set_shape(CloudBlock& block, const FrameRequest& request, const bake::Baked
 }
 
 // The longest large step that leaves out no cloud: twice the padding, since a cloud between two points is near one of
-// them, less what the variation of the land bends the tile on the way (Olajos 2.4.2 has one cell, which is always
-// less).
+// them, less what the land's variation and the clouds' lean bend the tile on the way (Olajos 2.4.2 has one cell, which
+// is always less).
 double longest_large_step_m(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
   const glm::dvec3 cells(baked.structure_size());
-  const glm::dvec3 cell_m = sky.volume.size_m / cells;
+  const double across = lean_stretch(sky);
+  const glm::dvec3 cell_m = sky.volume.size_m / cells / glm::dvec3(across, across, 1);
   const double padding_m = bake::structure_padding * std::min({cell_m.x, cell_m.y, cell_m.z});
   if (sky.shape.coverage_variation.amount <= 0 || !sky.volume.tiling) return 2 * padding_m;
   const double period_m = 4 * sky.shape.coverage_variation.wavelength_m;
@@ -155,7 +164,8 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
   const double large_m = textured ? large_step_m(march, longest_large_step_m(sky, baked)) : 0.0;
   const double period_m = 4 * sky.shape.coverage_variation.wavelength_m;
   // How much lower the threshold can be half a large step away.
-  const double slack = block.shape.z * baked.steepest_variation().threshold / period_m * 0.5 * large_m;
+  const double slack =
+      block.shape.z * baked.steepest_variation().threshold / period_m * 0.5 * large_m * lean_stretch(sky);
   // From the last point outside, cloud is at least this far: half the longest large step; from one in the outer layer
   // of the padding the share that the other layers have of that.
   const double free_m = textured ? 0.5 * longest_large_step_m(sky, baked) : 0.0;
@@ -178,8 +188,9 @@ LandSlopes land_slopes(const Cloudscape& sky, const bake::BakedCloudscape& baked
   if (slow.amount <= 0) return {};
   const double period_m = 4 * slow.wavelength_m;
   const auto steepest = baked.steepest_variation();
-  return {sky.volume.tiling ? variation_shift * steepest.shift / period_m : 0,
-          2 * swing_of(slow) * steepest.threshold / period_m};
+  const double across = lean_stretch(sky);
+  return {sky.volume.tiling ? across * variation_shift * steepest.shift / period_m : 0,
+          across * 2 * swing_of(slow) * steepest.threshold / period_m};
 }
 
 InScatterPlan in_scatter_plan_of(const Cloudscape& marched, const bake::BakedCloudscape& baked) {

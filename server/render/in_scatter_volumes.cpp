@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/content_hash.h"
+#include "core/wind.h"
 #include "render/block_values.h"
 
 namespace cloudscape::render {
@@ -37,9 +38,11 @@ std::string clouds_key(const Cloudscape& marched, const bake::BakedCloudscape& b
   constexpr const char* version = "3";  // of the solver and the grid: raise it when they change what they make
   Cloudscape sky = marched;
   sky.title = sky.description = "";
+  const glm::dvec2 lean = lean_m(sky);
   sky.sun = {}, sky.moon = {}, sky.sky = {}, sky.ground = {}, sky.wind = {}, sky.view = {};
   sky.medium.ambient = 1;
-  return version + content_hash(sky) + bake::bake_key(baked.texels().recipe) + std::to_string(mean_cosine);
+  return version + content_hash(sky) + bake::bake_key(baked.texels().recipe) + std::to_string(mean_cosine) +
+         (lean == glm::dvec2(0) ? "" : bytes_of(std::span(&lean, 1)));
 }
 
 // The sun along the middle of the table of render/sky_cloud_sun.glsl, at a place 0..1 of the volume's height.

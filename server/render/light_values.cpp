@@ -96,7 +96,8 @@ void set_stars(FrameBlock& block, const FrameRequest& request) {
   const bool seen = sky.sky.kind == SkyKind::clear && sky.sky.stars > 0 && sky.sun.elevation_deg < -1;
   const Place& place = sky.sun.place;
   std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
-  if (const auto day = julian_day(place.time_utc)) axes = star_axes(*day, place.latitude_deg, place.longitude_deg);
+  if (const auto day = julian_day_at(place, request.time_s))
+    axes = star_axes(*day, place.latitude_deg, place.longitude_deg);
   block.sample_info.y = seen ? 2 : 0;
   // tuned: six tenths of a pixel is as sharp as a picture can be without blinking.
   block.star_x = xyz_w(axes[0], std::max(0.6 * pixel_angle(request), 1e-5));

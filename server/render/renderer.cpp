@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/march_steps.h"
+#include "core/sun_position.h"
 #include "render/block_values.h"
 
 namespace cloudscape::render {
@@ -64,9 +65,10 @@ Renderer::History& Renderer::history_of(const FrameRequest& request) {
 std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
   auto job = std::make_unique<RenderJob>();
   job->request = request;
+  job->request.cloudscape = at_time(request.cloudscape, request.time_s);
   if (continues_picture(request)) {
-    job->resolved = resolver_.begin(request);
-    job->request = marched_request(request, job->resolved->plan);
+    job->resolved = resolver_.begin(job->request);
+    job->request = marched_request(job->request, job->resolved->plan);
     job->sample = job->last_sample = marched_sample(job->resolved->plan, job->resolved->frame);
     return job;
   }

@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/wind.h"
+
 namespace cloudscape::render {
 namespace {
 
@@ -109,8 +111,7 @@ ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const K
   const bool known = before && same_clouds(*before->cloudscape, *now.cloudscape);
   const KeptView& then = known ? *before : now;
   const CameraAxes axes = camera_axes(then.pose);
-  const Wind& wind = now.cloudscape->wind;
-  const glm::dvec3 drift = direction_of(wind.towards_azimuth_deg, 0) * wind.speed_m_per_s * (now.time_s - then.time_s);
+  const glm::dvec2 drift = drift_m_per_s(*now.cloudscape) * (now.time_s - then.time_s);
   const bool new_light = !same_light(*then.cloudscape, *now.cloudscape);
   const glm::ivec2 at = marched_pixel(plan.stride, frame);
   ResolveBlock block{};
@@ -120,7 +121,7 @@ ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const K
   block.before_up = xyz_w(axes.up, then.aspect);
   block.before_forward = xyz_w(axes.forward, known);
   block.moved = xyz_w(now.pose.position_m - then.pose.position_m, half_height_of(now.vertical_fov_deg));
-  block.drift = xyz_w(drift, 1e7);
+  block.drift = xyz_w(glm::dvec3(drift, 0), 1e7);
   const bool resting = now.time_s == then.time_s;
   block.trust = {resting ? resting_samples : moving_samples, moving_samples, resting ? resting_margin : moving_margin,
                  moving_margin};

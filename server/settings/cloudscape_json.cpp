@@ -37,9 +37,12 @@ void check_height_map(const std::string& name, const std::string& pointer) {
     refuse(pointer, name, "the bare name of a .png or .exr file in the folder of height maps, or empty");
 }
 
-void check_time(const std::string& time_utc, const std::string& pointer) {
-  if (!time_utc.empty() && !julian_day(time_utc))
-    refuse(pointer, time_utc, "a time from 1901 to 2099 such as 2026-06-21T12:00:00Z, or empty");
+void check_place(const Place& place, const std::string& pointer) {
+  if (!place.time_utc.empty() && !julian_day(place.time_utc))
+    refuse(pointer + "/time_utc", place.time_utc, "a time from 1901 to 2099 such as 2026-06-21T12:00:00Z, or empty");
+  if (place.time_rate != 0 && place.time_utc.empty())
+    refuse(pointer + "/time_rate", place.time_rate,
+           "0 where time_utc is empty: a sun that is put by its angles stands still");
 }
 
 // As with height maps. Which of the two kinds of file it is follows from the volume's kind.
@@ -68,7 +71,7 @@ nlohmann::ordered_json document_schema() { return schema<Root>("urn:cloudscape:d
 
 void check(const Cloudscape& cloudscape, const std::string& pointer) {
   check_height_map(cloudscape.ground.terrain.height_map, pointer + "/ground/terrain/height_map");
-  check_time(cloudscape.sun.place.time_utc, pointer + "/sun/place/time_utc");
+  check_place(cloudscape.sun.place, pointer + "/sun/place");
   check_volume_file(cloudscape.volume, pointer + "/volume/grid/file");
   if (cloudscape.volume.kind != VolumeKind::noise) return;
   for (std::size_t i = 0; i < cloudscape.noise.channels.size(); ++i) {

@@ -4,13 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "core/clock.h"
 #include "core/cloudscape.h"
 #include "core/frame.h"
 
 namespace cloudscape::settings {
 
-// tuned: half a year either way, longer than any flight; a drift of 200 m/s stays exact to a micrometre in double.
-constexpr Limits time_s_limits{-1.6e7, 1.6e7};
 // Of a picture's side, whatever the server's own limit: the stream's header has 16 bits.
 constexpr Limits side_px_limits{1, 65535};
 

@@ -8,7 +8,8 @@
 // whose JPEG quality follows the measured link. Such a frame is always finished, so that a viewer who never rests sees
 // something. Resting: once the view stood still, frames of full quality continue one average (`first_sample` samples
 // are in it, `quality.samples` are added) until the quality's sample count is reached, each when the one before is
-// acknowledged; a change of the view abandons the one in render.
+// acknowledged; a change of the view abandons the one in render. A view whose clock runs never rests: it is answered
+// with moving frames, `target_frame_ms` apart where nothing else moves it.
 //
 // Background: frames of long jobs. They get the turns that nobody else wants: only when no stream or still was rendered
 // for a moment, since a slice between two frames of a moving stream would cost it a frame, and otherwise a slice now
@@ -27,6 +28,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/clock.h"
 #include "core/frame.h"
 #include "core/metrics.h"
 
@@ -44,11 +46,12 @@ struct StreamView {
   ImageSize size_px;
   Quality quality = Quality::standard;  // that a resting view is refined to
   double time_s = 0;
-  std::uint64_t pose_sequence = 0;  // of the client's message that set it
+  std::optional<RunningTime> clock;  // that shows the time instead; while it runs the view moves
+  std::uint64_t pose_sequence = 0;   // of the client's message that set it
 };
 
 struct SchedulerOptions {
-  double target_frame_ms = 33;   // of a moving view: its detail adapts to it
+  double target_frame_ms = 33;   // of a moving view: its detail adapts to it, and a running clock is shown so often
   std::size_t first_detail = 3;  // of a new stream's moving frames, of `moving_details`
   std::size_t still_queue = 16;  // stills that wait or render; one more is refused
   int max_in_flight = 3;         // frames of one stream without acknowledgement, at most

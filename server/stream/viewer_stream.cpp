@@ -19,8 +19,15 @@ bool same_cloudscape(const std::shared_ptr<const Cloudscape>& a, const std::shar
 
 bool same_picture(const StreamView& a, const StreamView& b) {
   return a.pose == b.pose && a.lens == b.lens && a.display == b.display && a.march == b.march &&
-         a.size_px == b.size_px && a.quality == b.quality && a.time_s == b.time_s &&
+         a.size_px == b.size_px && a.quality == b.quality && a.time_s == b.time_s && a.clock == b.clock &&
          same_cloudscape(a.cloudscape, b.cloudscape);
+}
+
+// As it is at that moment: its time stands.
+StreamView snapshot(StreamView view, Time now) {
+  if (view.clock) view.time_s = view.clock->at(now);
+  view.clock.reset();
+  return view;
 }
 
 }  // namespace
@@ -31,6 +38,9 @@ ViewerStream::ViewerStream(StreamId id, const StreamView& view, const SchedulerO
       moved_since_(now),
       moved_at_(now),
       rendered_at_(now),
+      clock_due_(now),
+      clock_pace_(std::chrono::duration_cast<Time::duration>(
+          std::chrono::duration<double, std::milli>(options.target_frame_ms))),
       flights_(options.max_in_flight),
       meter_(now),
       detail_(options.target_frame_ms, options.first_detail),
@@ -39,7 +49,7 @@ ViewerStream::ViewerStream(StreamId id, const StreamView& view, const SchedulerO
 bool ViewerStream::update(const StreamView& view, Time now) {
   if (!same_picture(view, view_)) moved_at_ = now;
   view_ = view;
-  const bool moved = !shown_ || !same_picture(view_, *shown_);
+  const bool moved = !is_shown();
   if (moved && !moved_) moved_since_ = now;
   moved_ = moved;
   if (!yielded_ || wanted(*work_)) return false;
@@ -71,6 +81,13 @@ StreamStats ViewerStream::stats(Time now) const {
           flights_.window()};
 }
 
+bool ViewerStream::is_shown() const {
+  if (!shown_) return false;
+  StreamView view = view_;
+  if (runs()) view.time_s = shown_->time_s, view.clock.reset();
+  return same_picture(snapshot(view, moved_at_), *shown_);
+}
+
 Time ViewerStream::rested_at() const { return std::max(moved_at_ + settle, rendered_at_); }
 
 // A moving picture is put together from several frames: those of a view that has just come to rest follow at once, so
@@ -83,6 +100,7 @@ bool ViewerStream::steadying() const {
 std::optional<Time> ViewerStream::ready_at() const {
   if (work_) return yielded_ ? std::optional(work_->queued) : std::nullopt;
   if (moved_) return flights_.has_room() ? std::optional(moved_since_) : std::nullopt;
+  if (runs()) return flights_.has_room() ? std::optional(clock_due_) : std::nullopt;
   if (steadying()) return flights_.has_room() ? std::optional(rendered_at_) : std::nullopt;
   // One refined frame at a time: they are large, and the next motion waits behind what is in flight.
   const bool refined = given_up_ || accumulated_ >= render_quality(marched(view_.quality)).samples;
@@ -91,7 +109,7 @@ std::optional<Time> ViewerStream::ready_at() const {
 
 Work ViewerStream::take(Time now) {
   if (!work_) {
-    work_ = moved_ ? moving_frame() : steadying() ? steadying_frame() : refining_frame();
+    work_ = moved_ || runs() ? moving_frame(now) : steadying() ? steadying_frame() : refining_frame();
     work_->queued = std::min(work_->queued, now);
     ++next_frame_id_;
     ++sequence_;
@@ -103,21 +121,24 @@ Work ViewerStream::take(Time now) {
 Work ViewerStream::next_frame(FrameRequest request, const Encoding& encoding) const {
   Work work;
   work.request = std::move(request);
+  work.request.time_s = shown_->time_s;
   work.encoding = encoding;
   work.frame_id = next_frame_id_;
   work.pose_sequence = view_.pose_sequence;
   return work;
 }
 
-Work ViewerStream::moving_frame() {
-  shown_ = view_;
+Work ViewerStream::moving_frame(Time now) {
+  const Time since = moved_ ? moved_since_ : clock_due_;
+  shown_ = snapshot(view_, now);
   moved_ = false;
+  clock_due_ = now + clock_pace_;
   view_frame_id_ = next_frame_id_;
   accumulated_ = 0;
   steadied_ = -1;
   given_up_ = false;
   Work work = steadying_frame();
-  work.queued = moved_since_;
+  work.queued = since;
   return work;
 }
 
@@ -145,7 +166,7 @@ Work ViewerStream::refining_frame() const {
 
 // A moving frame is always wanted: were it abandoned too, a viewer that moves faster than frames render would see none.
 bool ViewerStream::wanted(const Work& work) const {
-  return in_render(work) && (work.quality_stage == moving_stage || !moved_);
+  return in_render(work) && (work.quality_stage == moving_stage || !(moved_ || runs()));
 }
 
 bool ViewerStream::yield(const Work& work) {

@@ -32,8 +32,10 @@ class ViewerStream {
  private:
   Time rested_at() const;
   bool steadying() const;
-  Work moving_frame();
   Work steadying_frame();
+  bool runs() const { return view_.clock && view_.clock->rate != 0; }  // time alone moves the view
+  bool is_shown() const;                                               // but for a time that runs
+  Work moving_frame(Time now);
   Work refining_frame() const;
   Work next_frame(FrameRequest request, const Encoding& encoding) const;
   void forget_work();
@@ -46,6 +48,8 @@ class ViewerStream {
   Time moved_since_;                 // the first change of the view that no frame shows yet
   Time moved_at_;                    // the last change
   Time rendered_at_;
+  Time clock_due_;  // when the next picture of a running clock is due
+  Time::duration clock_pace_;
   std::optional<Work> work_;  // in render or yielded
   bool yielded_ = false;
   std::uint32_t next_frame_id_ = 1;

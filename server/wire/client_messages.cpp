@@ -16,6 +16,7 @@ struct SettingsBody {
   View view;
   Quality quality = Quality::standard;
   Sun sun;
+  double sun_time_rate = 0;
   double time_s = 0;
 
   static void fields(auto& self, auto&& visit) {
@@ -25,7 +26,8 @@ struct SettingsBody {
     settings::StillSun::each_angle(self.sun, [&](std::string_view, auto& angle, const Limits& limits, auto meaning) {
       visit(&angle == &self.sun.azimuth_deg ? "sun_azimuth_deg" : "sun_elevation_deg", angle, limits, meaning);
     });
-    visit("time_s", self.time_s, settings::time_s_limits, "Time that the wind has moved the clouds for, s.");
+    visit("sun_time_rate", self.sun_time_rate, clock_rate_limits, "How fast the sun's time runs beside time_s.");
+    visit("time_s", self.time_s, time_s_limits, "Time that the wind has moved the clouds for, s.");
   }
 };
 
@@ -36,7 +38,7 @@ struct CameraBody {
   static void fields(auto& self, auto&& visit) {
     visit("pose_sequence", self.camera.pose_sequence, Limits{}, "Comes back with the frames of this pose.");
     visit("pose", self.camera.pose, Limits{}, "Where the camera is and looks.");
-    visit("time_s", self.time_s, settings::time_s_limits, "Time that the wind has moved the clouds for, s.");
+    visit("time_s", self.time_s, time_s_limits, "Time that the wind has moved the clouds for, s.");
   }
 };
 
@@ -84,8 +86,16 @@ void take_sun_reset(json& message, Settings& settings) {
   }
 }
 
+void take_clock(json& message, Settings& settings) {
+  const auto time = message.find("time_s");
+  if (time == message.end() || !time->is_null()) return;
+  settings.follow_clock = true;
+  message.erase(time);
+}
+
 Settings read_settings(json message, const View& current) {
   Settings settings;
+  take_clock(message, settings);
   take_cloudscape(message, settings);
   take_sun_reset(message, settings);
   SettingsBody body;
@@ -105,6 +115,7 @@ Settings read_settings(json message, const View& current) {
   keep("quality", body.quality, settings.quality);
   keep("sun_azimuth_deg", body.sun.azimuth_deg, settings.sun_azimuth_deg);
   keep("sun_elevation_deg", body.sun.elevation_deg, settings.sun_elevation_deg);
+  keep("sun_time_rate", body.sun_time_rate, settings.sun_time_rate);
   keep("time_s", body.time_s, settings.time_s);
   return settings;
 }
@@ -132,6 +143,16 @@ Ack read_ack(const json& message) {
   return body.ack;
 }
 
+ClockChange read_clock(const json& message) {
+  ClockState told;
+  settings::read(message, told, "");
+  ClockChange change;
+  if (message.contains("time_s")) change.time_s = told.time_s;
+  if (message.contains("rate")) change.rate = told.rate;
+  if (message.contains("paused")) change.paused = told.paused;
+  return change;
+}
+
 ordered_json json_of(const Settings& settings) {
   ordered_json message = ordered_json::object();
   const auto add = [&](const char* key, const auto& member) {
@@ -149,6 +170,8 @@ ordered_json json_of(const Settings& settings) {
   if (settings.reset_sun) message["sun_azimuth_deg"] = message["sun_elevation_deg"] = nullptr;
   add("sun_azimuth_deg", settings.sun_azimuth_deg);
   add("sun_elevation_deg", settings.sun_elevation_deg);
+  add("sun_time_rate", settings.sun_time_rate);
+  if (settings.follow_clock) message["time_s"] = nullptr;
   add("time_s", settings.time_s);
   return message;
 }
@@ -167,8 +190,16 @@ ordered_json json_of(const Camera& camera) {
 
 ordered_json json_of(const Ack& ack) { return settings::write(AckBody{ack}); }
 
-constexpr std::array<std::string_view, 4> types{"hello", "settings", "camera", "ack"};
-enum class Type { hello, settings, camera, ack };
+ordered_json json_of(const ClockChange& change) {
+  ordered_json message = ordered_json::object();
+  if (change.time_s) message["time_s"] = *change.time_s;
+  if (change.rate) message["rate"] = *change.rate;
+  if (change.paused) message["paused"] = *change.paused;
+  return message;
+}
+
+constexpr std::array<std::string_view, 5> types{"hello", "settings", "camera", "ack", "clock"};  // as ClientMessage's
+enum class Type { hello, settings, camera, ack, clock };
 
 }  // namespace
 
@@ -189,13 +220,14 @@ ClientMessage parse_client_message(std::string_view text, const View& current) {
       return read_camera(message, current);
     case Type::ack:
       return read_ack(message);
+    case Type::clock:
+      return read_clock(message);
   }
   throw InvalidInput("/type", "is unknown");
 }
 
 std::string to_text(const ClientMessage& message) {
-  constexpr std::array<std::string_view, 4> names{"hello", "settings", "camera", "ack"};  // as ClientMessage has them
-  ordered_json json{{"type", names[message.index()]}};
+  ordered_json json{{"type", types[message.index()]}};
   std::visit([&](const auto& value) { json.update(json_of(value)); }, message);
   return settings::to_text(json);
 }

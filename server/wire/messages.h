@@ -1,7 +1,12 @@
 // The stream protocol cloudscape.v1: messages of both directions as values, and as bytes.
 //
-// The client sends JSON text: hello (once, first), camera, settings, ack. The server sends JSON text (welcome, stats,
-// error) and one binary message a frame: FrameHeader, then the image.
+// The client sends JSON text: hello (once, first), camera, settings, clock, ack. The server sends JSON text (welcome,
+// clock, stats, error) and one binary message a frame: FrameHeader, then the image.
+//
+// A document that has a name has one clock, which is shared: every stream of it shows its time, and a `clock` from any
+// of them turns it for all. The server tells each of them what it shows, after the welcome and after each change. A
+// document of the client's own has a clock of its own. A stream that gives a `time_s` (in hello, settings or camera)
+// has that time for itself, until it sends a `clock` or a settings with "time_s": null.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +17,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/frame.h"
 
 namespace cloudscape::wire {
@@ -33,8 +39,10 @@ struct Settings {
   std::optional<Quality> quality;         // "quality": "standard"
   std::optional<double> sun_azimuth_deg;  // null resets to the document's
   std::optional<double> sun_elevation_deg;
-  bool reset_sun = false;  // either of the two was null
+  bool reset_sun = false;               // either of the two was null
+  std::optional<double> sun_time_rate;  // of the document's place, which must have a time
   std::optional<double> time_s;
+  bool follow_clock = false;  // "time_s": null
 };
 struct Hello {
   int version = 1;
@@ -51,7 +59,8 @@ struct Ack {
   std::uint32_t frame_id = 0;
   double decode_ms = 0;
 };
-using ClientMessage = std::variant<Hello, Settings, Camera, Ack>;
+// {"type":"clock","time_s":600,"rate":10,"paused":false}: ClockChange.
+using ClientMessage = std::variant<Hello, Settings, Camera, Ack, ClockChange>;
 
 // `current` is what a pose, lens or display that is given in part is completed from: what the stream shows, or for a
 // hello the document's `view`. Throws InvalidInput with a JSON pointer: not JSON, unknown type or key, wrong type, out
@@ -68,6 +77,8 @@ struct Welcome {
   Display display;
   double sun_azimuth_deg = 0, sun_elevation_deg = 0;
   ImageSize size_px, max_size_px;
+  std::string time_utc;
+  double sun_time_rate = 0;
 
   static void fields(auto& self, auto&& visit) {
     visit("program_version", self.program_version, Limits{}, "Version of the server.");
@@ -81,6 +92,8 @@ struct Welcome {
     visit("sun_elevation_deg", self.sun_elevation_deg, Limits{}, "Height of the sun above the horizon, degrees.");
     visit("size_px", self.size_px, Limits{}, "Size of the frames.");
     visit("max_size_px", self.max_size_px, Limits{}, "Largest sides that the server takes.");
+    visit("time_utc", self.time_utc, Limits{}, "When time_s is 0; empty: the sun stands where it is put.");
+    visit("sun_time_rate", self.sun_time_rate, Limits{}, "How fast the sun's time runs beside time_s.");
   }
 };
 struct Stats {
@@ -108,7 +121,7 @@ struct ErrorMessage {
     visit("fatal", self.fatal, Limits{}, "Whether the server closes the stream.");
   }
 };
-using ServerMessage = std::variant<Welcome, Stats, ErrorMessage>;
+using ServerMessage = std::variant<Welcome, Stats, ErrorMessage, ClockState>;
 std::string to_text(const ServerMessage& message);  // valid JSON whatever bytes the strings hold
 ServerMessage parse_server_message(std::string_view text);
 

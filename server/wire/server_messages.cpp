@@ -5,7 +5,7 @@
 namespace cloudscape::wire {
 namespace {
 
-constexpr std::array<std::string_view, 3> types{"welcome", "stats", "error"};  // as ServerMessage has them
+constexpr std::array<std::string_view, 4> types{"welcome", "stats", "error", "clock"};  // as ServerMessage has them
 
 template <class T>
 T read_message(const nlohmann::json& message) {
@@ -31,7 +31,8 @@ ServerMessage parse_server_message(std::string_view text) {
   message.erase(type);
   if (index == 0) return read_message<Welcome>(message);
   if (index == 1) return read_message<Stats>(message);
-  return read_message<ErrorMessage>(message);
+  if (index == 2) return read_message<ErrorMessage>(message);
+  return read_message<ClockState>(message);
 }
 
 }  // namespace cloudscape::wire

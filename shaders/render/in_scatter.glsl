@@ -6,7 +6,8 @@
 layout(binding = 11) uniform sampler3D in_scatter_mean;      // mean radiance; share of the sun's beam that arrives
 layout(binding = 12) uniform sampler3D in_scatter_directed;  // mean of radiance times direction, in mean radiances
 
-// Where p lies in the volume's textures at its lower level; how far on the next one is, and its share.
+// Where p lies in the volume's textures at its lower level; how far on the next one is, and its share. The light was solved among
+// clouds that lean (in_scatter_extinction.comp), so that it is where they are.
 struct InScatterPlace {
   vec3 at;
   float next, share;

@@ -22,17 +22,27 @@ bool is_textured() { return volume_kind() == volume_noise || volume_kind() == vo
 vec3 box_center() { return 0.5 * (cloud.box_low.xyz + cloud.box_high.xyz); }
 float sphere_radius_m() { return 0.5 * (cloud.box_high.x - cloud.box_low.x); }
 
+// 0..1 from the bottom of the volume to its top, which is bent with the planet or flat.
+float height_in_layer(vec3 p) {
+  float drop_m = cloud.volume.y * (p.x * p.x + p.y * p.y) / (2.0 * (planet_radius_m + p.z));  // as altitude_of
+  return (p.z + drop_m - cloud.layer.x) * cloud.layer.z;
+}
+
+// Where what is at p would be if the wind did not make the clouds lean: all of their shape is looked up there.
+vec3 upright(vec3 p) { return vec3(p.xy - cloud.lean.xy * height_in_layer(p), p.z); }
+vec2 tile_at(vec3 p) { return upright(p).xy * cloud.tile.xy + cloud.tile.zw; }
+
 // How much of the erosion there is on average, where the detail texture itself is not read (far away, towards the sun).
 const float mean_erosion = 0.5;  // tuned: the mean of `erosion_at`
 
 float erosion_at(vec3 p, float h, bool close) {
+  p = upright(p);
   vec4 noise = textureLod(detail_texture, p * cloud.detail.x + cloud.detail.yzw, 0.0);
   // Cracks between billows at the tops, wisps at the base (after Schneider and Vos 2015).
   float erosion = mix(noise.y, 1.0 - noise.x, clamp(h * 5.0, 0.0, 1.0));
   if (!close) return erosion;
-  // The same texture again, finer: what the eye wants within a kilometre or two. tuned: the ratio is no whole number, so that
-  // the two never line up.
-  float fine = textureLod(detail_texture, p * (4.7 * cloud.detail.x) + 4.7 * cloud.detail.yzw, 0.0).x;
+  // The same texture again, finer: what the eye wants within a kilometre or two.
+  float fine = textureLod(detail_texture, p * cloud.fine_detail.x + cloud.fine_detail.yzw, 0.0).x;
   return 0.72 * erosion + 0.28 * (1.0 - fine);
 }
 
@@ -43,15 +53,10 @@ struct Land {
 };
 
 Land land_at(vec3 p) {
+  vec2 at = upright(p).xy;
   if (cloud.shape.z <= 0.0) return Land(cloud.shape.x, vec2(0.0));
-  vec3 slow = textureLod(variation_texture, p.xy * cloud.variation.x + cloud.variation.yz, 0.0).xyz;
+  vec3 slow = textureLod(variation_texture, at * cloud.variation.x + cloud.variation.yz, 0.0).xyz;
   return Land(cloud.shape.x + cloud.shape.z * (slow.x - 0.5), cloud.shape.w * (slow.yz - 0.5));
-}
-
-// 0..1 from the bottom of the volume to its top, which is bent with the planet or flat.
-float height_in_layer(vec3 p) {
-  float drop_m = cloud.volume.y * (p.x * p.x + p.y * p.y) / (2.0 * (planet_radius_m + p.z));  // as altitude_of
-  return (p.z + drop_m - cloud.layer.x) * cloud.layer.z;
 }
 
 // How far outside the structure a point is (Olajos 2.4.2): outside all of its padding, which is wider than half a large step, so that no
@@ -61,7 +66,7 @@ const int in_outer_padding = 1;
 const int outside_structure = 2;
 
 int place_in_structure(vec3 p, Land land) {
-  vec2 tile = p.xy * cloud.tile.xy + cloud.tile.zw;
+  vec2 tile = tile_at(p);
   vec2 bound = textureLod(structure_texture, vec3(tile + land.shift, clamp(height_in_layer(p), 0.0, 1.0)), 0.0).xy;
   float lowest = land.threshold - cloud.structure.y;
   return bound.x <= lowest ? outside_structure : bound.y <= lowest ? in_outer_padding : near_cloud;
@@ -70,7 +75,7 @@ int place_in_structure(vec3 p, Land land) {
 // Shape noise above the threshold; not above 0: no cloud. What erosion takes off it comes after.
 float shape_above_threshold(vec3 p, Land land) {
   float h = height_in_layer(p);
-  vec2 tile = p.xy * cloud.tile.xy + cloud.tile.zw;
+  vec2 tile = tile_at(p);
   vec4 noise = textureLod(shape_texture, vec3(tile + land.shift, h), 0.0);
   float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5)) - land.threshold;
   bool beside = cloud.box_low.w == 0.0 && (tile.x < 0.0 || tile.x > 1.0 || tile.y < 0.0 || tile.y > 1.0);

@@ -9,7 +9,7 @@
    volume: longest small step (m), bent with the planet?, cloud cover (0..1), 0.
    shape: threshold, edge softness, variation amount, shift of the tile by the variation (tiles).
    weights: of the four shape channels. variation: 1 / period (1/m), offset east, north (periods), 0.
-   detail: 1 / period (1/m), offset east, north, up (periods). erosion: strength, sample spacing from which it is averaged (m), the same for its finest part;
+   detail, fine_detail: 1 / period (1/m), offset east, north, up (periods). lean: of the layer's top against its bottom east, north (m), 0, 0. erosion: strength, sample spacing from which it is averaged (m), the same for its finest part;
    change of the shape for each metre between samples (1/m).
    medium: extinction (1/m), scattering (1/m), ambient scale, phase kind. phase: g, second g, second weight, light model.
    olajos: attenuation, in-scatter, gain, 0.
@@ -31,6 +31,8 @@
   F(vec4, weights) \
   F(vec4, variation) \
   F(vec4, detail) \
+  F(vec4, fine_detail) \
+  F(vec4, lean) \
   F(vec4, erosion) \
   F(vec4, medium) \
   F(vec4, phase) \

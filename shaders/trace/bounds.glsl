@@ -55,9 +55,11 @@ Bound layer_bound(vec3 p, vec3 direction) {
   // Altitude changes with the slope of the ray against the curved planet, and that changes on the way.
   float climb = direction.z + cloud.volume.y * dot(p.xy, direction.xy) / (planet_radius_m + p.z);
   CellWalk walk;
-  walk.at = vec3(p.xy * cloud.tile.xy + cloud.tile.zw + land.shift, height_in_layer(p)) * cells;
-  walk.speed = vec3(direction.xy * cloud.tile.xy, climb * cloud.layer.z) * cells;
-  walk.slack = trace.slopes.xyw * cells;
+  vec2 across = direction.xy - cloud.lean.xy * climb * cloud.layer.z;
+  walk.at = vec3(tile_at(p) + land.shift, height_in_layer(p)) * cells;
+  walk.speed = vec3(across * cloud.tile.xy, climb * cloud.layer.z) * cells;
+  vec2 bend = abs(cloud.lean.xy) * cloud.tile.xy * trace.slopes.w;
+  walk.slack = vec3(trace.slopes.xy + bend, trace.slopes.w) * cells;
   float block = float(trace.cells.w);
   vec3 blocks = vec3(textureSize(coarse_majorants, 0));
   CellWalk wide = CellWalk(walk.at / block, walk.speed / block, walk.slack / block);

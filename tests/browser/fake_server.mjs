@@ -61,7 +61,8 @@ function frame_message(stream, quality_stage) {
 
 // Options may be changed while it runs: token, full or starting (no stream), frozen (no frames), still_error, fatal (an error in place of the welcome).
 export async function start_fake_server(options = {}) {
-  const log = { hellos: [], cameras: [], settings: [], acks: [] };
+  const log = { hellos: [], cameras: [], settings: [], clocks: [], acks: [] };
+  const clock = { time_s: 0, rate: 1, paused: true };
   const allowed = given => !options.token || given === options.token;
   const problem = (response, status, detail, pointer) => {
     response.writeHead(status, { 'Content-Type': 'application/problem+json' });
@@ -114,8 +115,15 @@ export async function start_fake_server(options = {}) {
           pose: stream.pose, lens: message.lens ?? { kind: 'perspective', vertical_fov_deg: 50, width_m: 10000 },
           display: { exposure_ev: 0, tone_curve: 'agx', dither: true, ...message.display },
           sun_azimuth_deg: message.sun_azimuth_deg ?? 135, sun_elevation_deg: message.sun_elevation_deg ?? 40,
-          size_px: stream.size_px, max_size_px: [3840, 2160],
+          size_px: stream.size_px, max_size_px: [3840, 2160], time_utc: options.time_utc ?? '', sun_time_rate: message.sun_time_rate ?? 0,
         }));
+        socket.send(JSON.stringify({ type: 'clock', ...clock }));
+      } else if (message.type === 'clock') {
+        log.clocks.push(message);
+        Object.assign(clock, message);
+        stream.time_s = clock.time_s;
+        socket.send(JSON.stringify({ ...clock, type: 'clock' }));
+        stage = 0;
       } else {
         log[message.type === 'camera' ? 'cameras' : 'settings'].push(message);
         Object.assign(stream, message);

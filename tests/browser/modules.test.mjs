@@ -1,6 +1,7 @@
 // The page's modules alone, without a browser: protocol, flight, links, sizes, the policy of the decoder, reconnecting.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { Clock, time_of_day } from '../../client/web/clock.js';
 import { altitude_m, FlightCamera, sum_intents, view_axes } from '../../client/web/camera.js';
 import { Connection, wait_ms } from '../../client/web/connection.js';
 import { LatestFrame } from '../../client/web/decoder.js';
@@ -126,11 +127,11 @@ test('a link carries the view there and back', () => {
     vertical_fov_deg: 40, sun_azimuth_deg: 10, sun_elevation_deg: -2.5, exposure_ev: 1.3, tone_curve: 'aces', quality: 'high', time_s: 60,
   };
   assert.deepEqual(parse_fragment(`#${format_fragment(chosen)}`), { chosen, token: undefined });
-  assert.equal(format_fragment({ cloudscape: 'x', time_s: 0 }), 'cloudscape=x');
+  assert.equal(format_fragment({ cloudscape: 'x' }), 'cloudscape=x');
 });
 
 test('nonsense in a link is left out, the token is found', () => {
-  const { chosen, token } = parse_fragment('#token=s3&position=1,2&exposure_ev=NaN&elevation_deg=5&quality=best&sun_elevation_deg=99&time_s=-1');
+  const { chosen, token } = parse_fragment('#token=s3&position=1,2&exposure_ev=NaN&elevation_deg=5&quality=best&sun_elevation_deg=99&time_s=1e9');
   assert.deepEqual([chosen, token], [{}, 's3']);
 });
 
@@ -255,9 +256,25 @@ test('choices stand over the document, exposure and tone curve travel together',
   const state = new ViewState();
   state.open('a');
   state.welcome({ lens: { vertical_fov_deg: 60 }, display: { exposure_ev: 2, tone_curve: 'aces' }, sun_azimuth_deg: 10, sun_elevation_deg: 3 });
-  assert.deepEqual([state.get('vertical_fov_deg'), state.get('exposure_ev'), state.chosen], [60, 2, { cloudscape: 'a', time_s: 0 }]);
+  assert.deepEqual([state.get('vertical_fov_deg'), state.get('exposure_ev'), state.chosen], [60, 2, { cloudscape: 'a' }]);
   assert.deepEqual(state.choose({ exposure_ev: -1 }), { display: { dither: true, exposure_ev: -1, tone_curve: 'aces' } });
   assert.deepEqual(state.choose({ sun_azimuth_deg: 5 }), { sun_azimuth_deg: 5 });
+});
+
+test('a clock runs on from what it was told', () => {
+  let now_ms = 1000;
+  const clock = new Clock(() => now_ms);
+  assert.deepEqual([clock.time_s, clock.paused], [0, true]);
+  clock.tell({ time_s: 100, rate: 10, paused: false });
+  now_ms += 2000;
+  assert.equal(clock.time_s, 120);
+  clock.tell({ rate: 60 });
+  now_ms += 1000;
+  assert.equal(clock.time_s, 180, 'another rate is no jump');
+  clock.tell({ paused: true });
+  now_ms += 9000;
+  assert.deepEqual([clock.time_s, clock.rate], [180, 60]);
+  assert.equal(time_of_day('2026-06-21T23:30:00Z', 60, 90), '01:00 UTC');
 });
 
 test('latency counts a pose\'s first frame once', () => {

@@ -74,6 +74,33 @@ test('a link is a view: another window shows the same picture', async t => {
   assert.ok(difference(same, turned) < changed, `differs by ${difference(same, turned)}`);
 });
 
+test('two windows on one sky show the same time', { skip: !program }, async t => {
+  const one = await open_view(t), other = await open_view(t);
+  const shown_s = ({ page }) => page.locator('#time_s').evaluate(slider => slider.valueAsNumber);
+  try {
+    await one.page.locator('#time_s').fill('1800');
+    await other.page.waitForFunction(() => document.getElementById('time_s').valueAsNumber === 1800);
+    await other.page.check('[name=rate][value="60"]', { force: true });
+    await other.page.click('#play');
+    await one.page.waitForFunction(() => document.getElementById('play').getAttribute('aria-pressed') === 'true');
+    await one.page.waitForFunction(() => document.getElementById('time_s').valueAsNumber > 1900);
+    await one.page.click('#play');
+    await other.page.waitForFunction(() => document.getElementById('play').getAttribute('aria-pressed') === 'false');
+    await Promise.all([one, other].map(({ page }) => hide_panel(page)));
+    const [mine, theirs] = await Promise.all([rest(one.page), rest(other.page)]);
+    assert.ok(Math.abs(await shown_s(one) - await shown_s(other)) <= 1);
+    assert.ok(difference(mine, theirs) < changed, `differs by ${difference(mine, theirs)}`);
+    assert.deepEqual([...one.faults, ...other.faults], []);
+  } finally {  // the other tests expect a clock that stands at 0
+    if (await one.page.locator('#play').getAttribute('aria-pressed') === 'true') await one.page.locator('#play').evaluate(button => button.click());
+    await one.page.locator('#time_s').evaluate(slider => {
+      slider.value = 0;
+      slider.dispatchEvent(new Event('input'));
+    });
+    await one.page.waitForTimeout(300);
+  }
+});
+
 test('the sun\'s slider changes the light; another sky is a step in the history', async t => {
   const { page } = await open_view(t);
   const first = await rest(page);

@@ -85,6 +85,45 @@ test('settings change size, document and sun; bad ones change nothing', () => wi
   assert.equal((await viewer.frame(frame => frame.azimuth_deg === 5)).width, 64);
 }));
 
+test('one clock for all who look at a document', () => with_viewer(one => with_viewer(other => with_viewer(async stranger => {
+  one.hello(hello);
+  other.hello(hello);
+  stranger.hello({ ...hello, cloudscape: 'overcast' });
+  for (const viewer of [one, other, stranger])
+    assert.deepEqual(await viewer.message('clock'), { type: 'clock', time_s: 0, rate: 1, paused: true });
+  one.send({ type: 'clock', time_s: 1000, rate: 60, paused: false });
+  assert.equal((await other.message('clock')).rate, 60);
+  const times = viewer => viewer.frames.map(frame => frame.time_s).filter(time_s => time_s > 1000);
+  await until(() => times(one).length > 5 && times(other).length > 5, 'frames of a running clock', 60000);
+  for (const viewer of [one, other]) {
+    const shown = times(viewer);
+    assert.ok(shown.every((time_s, i) => i === 0 || time_s > shown[i - 1]), `time goes on: ${shown}`);
+  }
+  other.send({ type: 'clock', paused: true });
+  const { time_s } = await other.message('clock');
+  for (const viewer of [one, other])
+    assert.equal((await viewer.frame(frame => frame.quality_stage === 255 && frame.time_s >= 1000)).time_s, time_s);
+  assert.equal(stranger.messages.filter(({ type }) => type === 'clock').length, 0, 'another document has another clock');
+  assert.ok(stranger.frames.every(frame => frame.time_s === 0));
+  other.send({ type: 'clock', time_s: 0, rate: 1 });
+}))));
+
+test('a time of its own keeps a stream from the clock until it follows again', () => with_viewer(async viewer => {
+  viewer.hello({ ...hello, time_s: 77 });
+  assert.equal((await viewer.frame()).time_s, 77);
+  viewer.send({ type: 'clock', time_s: 500 });
+  await viewer.frame(frame => frame.time_s === 500);
+  viewer.send({ type: 'camera', pose_sequence: 1, pose: { azimuth_deg: 10 }, time_s: 5 });
+  await viewer.frame(frame => frame.time_s === 5);
+  viewer.send({ type: 'settings', time_s: null });
+  await viewer.frame(frame => frame.time_s === 500);
+  viewer.send({ type: 'clock', rate: 5000 });
+  const error = await viewer.message('error');
+  assert.deepEqual([error.pointer, error.fatal], ['/rate', false]);
+  viewer.send({ type: 'clock', time_s: 0 });
+  await viewer.frame(frame => frame.time_s === 0);
+}));
+
 test('a document that is put anew is seen at once', () => with_viewer(async viewer => {
   const put = document => server.fetch('/api/v1/cloudscapes/watched', {
     method: 'PUT', body: JSON.stringify(document), headers: { 'content-type': 'application/json' } });

@@ -74,8 +74,10 @@ TEST(Fit, AsksForNoMoreThanTheServerGives) {
 TEST(Sight, HeldKeysTellTheServerOnlyWhatChanged) {
   Sight sight = sight_of(wire::Welcome{});
   EXPECT_FALSE(adjust(sight, {}, 1.0));
-  EXPECT_FALSE(adjust(sight, {.time_s = 60}, 0.5)) << "the time goes with the pose";
-  EXPECT_EQ(sight.time_s, 30);
+  EXPECT_FALSE(adjust(sight, {.time_s = 60}, 0.5)) << "the time is the clock's";
+  EXPECT_EQ(turned(100, {.time_s = 60}, 0.5), (ClockChange{130, {}, {}}));
+  EXPECT_EQ(turned(10, {.time_s = -60}, 0.5), (ClockChange{0, {}, {}}));
+  EXPECT_FALSE(turned(100, {.sun_azimuth_deg = 1}, 0.5));
   const auto settings = adjust(sight, {.sun_elevation_deg = 10}, 0.5);
   ASSERT_TRUE(settings);
   EXPECT_EQ(settings->sun_elevation_deg, 5);
@@ -89,7 +91,6 @@ TEST(Sight, StaysWithinWhatTheServerTakes) {
   EXPECT_LE(sight.sun_azimuth_deg, 360);
   EXPECT_EQ(sight.sun_elevation_deg, 90);
   EXPECT_EQ(sight.display.exposure_ev, 20);
-  EXPECT_EQ(sight.time_s, 0);
 }
 
 }  // namespace

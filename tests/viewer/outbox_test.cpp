@@ -121,5 +121,22 @@ TEST(Outbox, AResetSunForgetsTheAnglesBeforeIt) {
   EXPECT_TRUE(settings.reset_sun);
 }
 
+TEST(Outbox, TurnsTheClockAfterTheSettingsAndNotAgainAfterAReconnection) {
+  Outbox outbox{wire::Settings{}};
+  outbox.connected();
+  EXPECT_TRUE(outbox.next());  // the hello
+  outbox.turn({100, {}, {}});
+  outbox.turn({200, {}, false});
+  outbox.change(wire::Settings{});
+  EXPECT_TRUE(std::holds_alternative<wire::Settings>(*outbox.next()));
+  EXPECT_EQ(std::get<ClockChange>(*outbox.next()), (ClockChange{200, {}, false}));
+  EXPECT_FALSE(outbox.next());
+  outbox.turn({300, {}, {}});
+  outbox.disconnected();
+  outbox.connected();
+  EXPECT_TRUE(std::holds_alternative<wire::Hello>(*outbox.next()));
+  EXPECT_FALSE(outbox.next()) << "others may have turned it since";
+}
+
 }  // namespace
 }  // namespace cloudscape::viewer

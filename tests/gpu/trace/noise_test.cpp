@@ -70,12 +70,13 @@ TEST_F(TracedNoise, ScattersOnceAsTheMarchDoes) {
 }
 
 // Clouds that do not absorb, in a sky that is the same all round, cannot be seen; and no density exceeds its bound on
-// the way.
+// the way, whether they lean or not.
 TEST_F(TracedNoise, WhiteFurnace) {
   for (const bool tiling : {true, false})
     for (const double variation : {0.0, 0.8}) {
       Cloudscape sky = small_clouds();
       sky.volume.tiling = tiling;
+      sky.wind.shear_per_s = variation > 0 ? 0.02 : 0;
       sky.shape.coverage_variation = {variation, 20000};
       sky.sky = {SkyKind::uniform, glm::dvec3(0.5)};
       sky.ground.kind = GroundKind::none;

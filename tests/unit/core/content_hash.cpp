@@ -80,7 +80,9 @@ TEST(ContentHash, TellsNeighbouringDoublesApart) {
 
 // The same on every machine and in every run: it is the key of caches on disk.
 TEST(ContentHash, IsStable) {
-  EXPECT_EQ(content_hash(Wind{8.0, 60.0}), sha256_hex("{speed_m_per_s=0x1p+3;towards_azimuth_deg=0x1.ep+5;}"));
+  EXPECT_EQ(content_hash(Wind{8.0, 60.0, 0.0, 0.5}),
+            sha256_hex("{speed_m_per_s=0x1p+3;towards_azimuth_deg=0x1.ep+5;shear_per_s=0x0p+0;"
+                       "evolution_m_per_s=0x1p-1;}"));
   EXPECT_EQ(content_hash(Display{0.0, ToneCurve::agx, true, 0.0, 8.0, 0.5}),
             sha256_hex("{exposure_ev=0x0p+0;tone_curve=0;dither=1;bloom_strength=0x0p+0;bloom_threshold=0x1p+3;"
                        "bloom_radius=0x1p-1;}"));

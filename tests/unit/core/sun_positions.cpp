@@ -132,5 +132,32 @@ TEST(PlaceSunAndMoon, PutsThemThereOnlyAtATime) {
   EXPECT_NE(sky.moon.elevation_deg, before.moon.elevation_deg);
 }
 
+// The document as it is at a time is the document whose place has that time.
+TEST(AtTime, TheSunGoesItsWay) {
+  auto sky = std::make_shared<Cloudscape>();
+  EXPECT_EQ(at_time(sky, 5000), sky) << "it has no place";
+  sky->sun.place = {47.6, 9.4, "2026-06-21T04:00:00Z"};
+  place_sun_and_moon(*sky);
+  EXPECT_EQ(at_time(sky, 5000), sky) << "it stands still";
+  sky->sun.place.time_rate = 60;
+  EXPECT_EQ(at_time(sky, 0), sky);
+  Cloudscape later = *sky;
+  later.sun.place.time_utc = "2026-06-21T05:30:00Z";
+  place_sun_and_moon(later);
+  const auto moved = at_time(sky, 90);
+  EXPECT_NEAR(moved->sun.azimuth_deg, later.sun.azimuth_deg, 1e-5);
+  EXPECT_NEAR(moved->sun.elevation_deg, later.sun.elevation_deg, 1e-5);
+  EXPECT_NEAR(moved->moon.azimuth_deg, later.moon.azimuth_deg, 1e-5);
+  EXPECT_EQ(*at_time(moved, 90), *moved) << "a function of the time alone, however often";
+  EXPECT_NEAR(at_time(sky, 86400.0 / 60)->sun.elevation_deg, sky->sun.elevation_deg, 0.3) << "a day later";
+}
+
+TEST(AtTime, TheSunMovesInStepsThatNobodySees) {
+  const Place place{47.6, 9.4, "2026-06-21T04:00:00Z", 1};
+  EXPECT_EQ(julian_day_at(place, 1.9), julian_day_at(place, 0));
+  EXPECT_NEAR(*julian_day_at(place, 3) - *julian_day_at(place, 0), 4 / 86400.0, 1e-9);
+  EXPECT_LT(std::abs(*julian_day_at(place, 1e6 + 0.7) - *julian_day_at(place, 0) - (1e6 + 0.7) / 86400), 2.1 / 86400);
+}
+
 }  // namespace
 }  // namespace cloudscape

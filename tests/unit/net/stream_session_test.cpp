@@ -286,6 +286,77 @@ TEST_F(Viewer, sees_a_document_that_is_put_anew) {
   EXPECT_EQ(work->request.cloudscape->sun.azimuth_deg, 77);
 }
 
+// What the session last wants to tell of the clock; null where that is nothing.
+Json told_of_clock(StreamSession& session) {
+  const auto text = std::exchange(session.outbox().clock, std::nullopt);
+  return text ? Json::parse(*text) : Json();
+}
+
+TEST_F(Viewer, hears_of_the_clock_that_all_of_its_document_share) {
+  greet();
+  StreamSession other(*site_, [] {}), stranger(*site_, [] {});
+  other.on_message(hello, false, now_);
+  stranger.on_message(R"({"type":"hello","cloudscape":"overcast"})", false, now_);
+  for (StreamSession* each : {&*session_, &other, &stranger})
+    EXPECT_EQ(told_of_clock(*each), Json({{"type", "clock"}, {"time_s", 0}, {"rate", 1}, {"paused", true}}));
+  other.on_message(R"({"type":"clock","time_s":100,"rate":10,"paused":false})", false, now_);
+  const Json running{{"type", "clock"}, {"time_s", 100}, {"rate", 10}, {"paused", false}};
+  EXPECT_EQ(told_of_clock(*session_), running);
+  EXPECT_EQ(told_of_clock(other), running);
+  EXPECT_TRUE(told_of_clock(stranger).is_null()) << "another document has another clock";
+  now_ += seconds(3);
+  say(R"({"type":"clock","paused":true})");
+  EXPECT_EQ(told_of_clock(other)["time_s"], 130);
+  const auto work = render();
+  ASSERT_TRUE(work);
+  EXPECT_EQ(work->request.time_s, 130);
+}
+
+TEST_F(Viewer, has_a_time_of_its_own_until_it_follows_the_clock) {
+  greet();
+  say(R"({"type":"clock","time_s":100})");
+  say(R"({"type":"camera","pose_sequence":1,"pose":{"azimuth_deg":1},"time_s":7})");
+  say(R"({"type":"settings","sun_azimuth_deg":10})");
+  auto work = render();
+  ASSERT_TRUE(work);
+  EXPECT_EQ(work->request.time_s, 7);
+  deliver(*work);
+  say(R"({"type":"ack","frame_id":)" + std::to_string(work->frame_id) + R"(,"decode_ms":1})");
+  say(R"({"type":"settings","time_s":null})");
+  work = render();
+  ASSERT_TRUE(work);
+  EXPECT_EQ(work->request.time_s, 100);
+}
+
+TEST_F(Viewer, clocks_of_their_own_documents_are_their_own) {
+  make();
+  say(R"({"type":"hello","cloudscape":{"seed":1}})");
+  StreamSession other(*site_, [] {});
+  other.on_message(R"({"type":"hello","cloudscape":{"seed":1}})", false, now_);
+  told_of_clock(other);
+  say(R"({"type":"clock","time_s":50})");
+  EXPECT_EQ(told_of_clock(*session_)["time_s"], 50);
+  EXPECT_TRUE(told_of_clock(other).is_null());
+}
+
+TEST_F(Viewer, lets_a_sun_run_only_where_it_has_a_place) {
+  greet();
+  say(R"({"type":"settings","sun_time_rate":60})");
+  expect_error(false, "/sun_time_rate");
+  library_.put("morning", R"({"sun": {"place": {"latitude_deg": 47, "time_utc": "2026-06-21T05:00:00Z"}}})");
+  say(R"({"type":"settings","cloudscape":"morning","sun_time_rate":60})");
+  EXPECT_EQ(heard()["type"], nullptr);
+  auto work = render();
+  ASSERT_TRUE(work);
+  EXPECT_EQ(work->request.cloudscape->sun.place.time_rate, 60);
+  deliver(*work);
+  say(R"({"type":"ack","frame_id":)" + std::to_string(work->frame_id) + R"(,"decode_ms":1})");
+  say(R"({"type":"settings","sun_azimuth_deg":10})");
+  work = render();
+  ASSERT_TRUE(work);
+  EXPECT_EQ(work->request.cloudscape->sun.place.time_rate, 0) << "a sun that is put somewhere stands there";
+}
+
 TEST_F(Viewer, closes_its_stream_when_it_goes) {
   greet();
   EXPECT_EQ(metrics_.value("cloudscape_sessions"), 1);

@@ -115,7 +115,7 @@ TEST(DocumentReader, NamesTheNearestKnownKey) {
   EXPECT_THAT(sentence(R"({"shape": {"covrage": 1}})"), HasSubstr("did you mean coverage?"));
   EXPECT_THAT(sentence(R"({"view": {"lens": {"fov": 1}}})"), HasSubstr("did you mean vertical_fov_deg?"));
   EXPECT_EQ(sentence(R"({"wind": {"x": 1}})"),
-            "/wind/x is not a known key: known are speed_m_per_s, towards_azimuth_deg");
+            "/wind/x is not a known key: known are speed_m_per_s, towards_azimuth_deg, shear_per_s, evolution_m_per_s");
 }
 
 TEST(DocumentReader, NamesLineAndColumnOfWrongSyntax) {

@@ -60,7 +60,24 @@ TEST(ClientMessages, NullResetsTheSunAndNothingElse) {
   EXPECT_TRUE(settings.reset_sun);
   EXPECT_FALSE(settings.sun_azimuth_deg);
   EXPECT_EQ(settings.sun_elevation_deg, 5);
-  EXPECT_EQ(sentence(R"({"type": "settings", "time_s": null})"), "/time_s is null: must be a number");
+}
+
+TEST(ClientMessages, ATimeOfNullFollowsTheClock) {
+  const Settings settings = read_as<Settings>(R"({"type": "settings", "time_s": null})");
+  EXPECT_TRUE(settings.follow_clock);
+  EXPECT_FALSE(settings.time_s);
+  EXPECT_FALSE(read_as<Settings>(R"({"type": "settings", "time_s": 0})").follow_clock);
+}
+
+TEST(ClientMessages, AClockIsTurnedInPart) {
+  EXPECT_EQ(read_as<ClockChange>(R"({"type": "clock"})"), ClockChange{});
+  EXPECT_EQ(read_as<ClockChange>(R"({"type": "clock", "paused": false, "rate": -60})"), (ClockChange{{}, -60, false}));
+  EXPECT_EQ(read_as<ClockChange>(R"({"type": "clock", "time_s": 12.5})"), (ClockChange{12.5, {}, {}}));
+  EXPECT_EQ(sentence(R"({"type": "clock", "rate": 3601})"), "/rate is 3601: must be within [-3600, 3600]");
+  EXPECT_EQ(sentence(R"({"type": "clock", "time_s": 1.7e7})"),
+            "/time_s is 17000000: must be within [-16000000, 16000000]");
+  EXPECT_EQ(sentence(R"({"type": "clock", "paused": 1})"), "/paused is 1: must be true or false");
+  EXPECT_THAT(sentence(R"({"type": "clock", "speed": 1})"), HasSubstr("/speed is not a known key"));
 }
 
 TEST(ClientMessages, AWholeDocumentIsCheckedAndHandedOn) {
@@ -84,8 +101,8 @@ TEST(ClientMessages, CameraAndAck) {
 
 TEST(ClientMessages, AreRefusedWithOneSentence) {
   EXPECT_EQ(sentence(R"({"pose": {}})"), "/type is missing");
-  EXPECT_EQ(sentence(R"({"type": "helo"})"), R"(/type is "helo": must be one of hello, settings, camera, ack)");
-  EXPECT_EQ(sentence(R"({"type": 1})"), "/type is 1: must be one of hello, settings, camera, ack");
+  EXPECT_EQ(sentence(R"({"type": "helo"})"), R"(/type is "helo": must be one of hello, settings, camera, ack, clock)");
+  EXPECT_EQ(sentence(R"({"type": 1})"), "/type is 1: must be one of hello, settings, camera, ack, clock");
   EXPECT_EQ(sentence("7"), "the document is 7: must be an object");
   EXPECT_THAT(sentence("{"), HasSubstr("the message: line 1, column 2"));
   EXPECT_EQ(sentence(R"({"type": "hello", "version": 2})"), "/version is 2: must be 1");
@@ -106,14 +123,19 @@ TEST(ClientMessages, AreRefusedWithOneSentence) {
 }
 
 std::vector<std::string> valid_messages() {
-  Settings settings{"overcast", {},      ImageSize{640, 360}, CameraPose{}, Lens{},
-                    Display{},  March{}, Quality::draft,      1.5,          -2.0,
-                    false,      0.25};
+  Settings settings{
+      "overcast", {},  ImageSize{640, 360}, CameraPose{}, Lens{}, Display{}, March{}, Quality::draft, 1.5, -2.0, false,
+      60,         0.25};
   Settings reset;
   reset.reset_sun = true;
   reset.cloudscape_document = R"({"seed":3})";
-  return {to_text(ClientMessage{Hello{1, settings}}), to_text(ClientMessage{settings}), to_text(ClientMessage{reset}),
-          to_text(ClientMessage{Camera{9, CameraPose{{1, 2, 3}, 4, 5, 6}, 7.5}}), to_text(ClientMessage{Ack{12, 3.1}})};
+  return {to_text(ClientMessage{Hello{1, settings}}),
+          to_text(ClientMessage{settings}),
+          to_text(ClientMessage{reset}),
+          to_text(ClientMessage{Camera{9, CameraPose{{1, 2, 3}, 4, 5, 6}, 7.5}}),
+          to_text(ClientMessage{ClockChange{600, -10, false}}),
+          R"({"type":"settings","time_s":null})",
+          to_text(ClientMessage{Ack{12, 3.1}})};
 }
 
 TEST(ClientMessages, AreWrittenAsTheyAreRead) {

@@ -9,10 +9,11 @@ namespace cloudscape::wire {
 namespace {
 
 TEST(ServerMessages, AreWrittenAsTheyAreRead) {
-  const Welcome welcome{"0.1.0", "llvmpipe", true,       "overcast",  CameraPose{{1, 2, 3}, 4, 5, 6}, Lens{}, Display{},
-                        135,     40,         {640, 360}, {3840, 3840}};
+  const Welcome welcome{
+      "0.1.0", "llvmpipe", true,       "overcast",   CameraPose{{1, 2, 3}, 4, 5, 6}, Lens{}, Display{},
+      135,     40,         {640, 360}, {3840, 3840}, "2026-06-21T12:00:00Z",         60};
   const ServerMessage messages[]{welcome, Stats{24.5, 8e6, 31, 40, 6, 18446744073709551615u, 3},
-                                 ErrorMessage{"/pose is missing", "/pose", true}};
+                                 ErrorMessage{"/pose is missing", "/pose", true}, ClockState{12.5, -60, false}};
   for (const ServerMessage& message : messages) {
     const ServerMessage again = parse_server_message(to_text(message));
     EXPECT_EQ(again.index(), message.index());
@@ -38,7 +39,7 @@ TEST(ServerMessages, ErrorsAreValidJsonWhateverTheirBytes) {
 
 TEST(ServerMessages, AreRefusedWithOneSentence) {
   const auto sentence = [](const std::string& text) { return refusal([&] { parse_server_message(text); }).sentence; };
-  EXPECT_EQ(sentence(R"({"type": "hello"})"), R"(/type is "hello": must be one of welcome, stats, error)");
+  EXPECT_EQ(sentence(R"({"type": "hello"})"), R"(/type is "hello": must be one of welcome, stats, error, clock)");
   EXPECT_EQ(sentence("{}"), "/type is missing");
   EXPECT_EQ(sentence(R"({"type": "stats", "window": "1"})"), R"(/window is "1": must be a whole number)");
 }
