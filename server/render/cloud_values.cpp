@@ -13,11 +13,14 @@ namespace {
 vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
 double fraction(double value) { return value - std::floor(value); }
 
+glm::dvec2 wind_drift(const FrameRequest& request) {
+  const Wind& wind = request.cloudscape->wind;
+  return direction_of(wind.towards_azimuth_deg, 0) * wind.speed_m_per_s * request.time_s;
+}
+
 // Where the point below the camera lies in a pattern that drifts with the wind, m.
 glm::dvec2 drifted(const FrameRequest& request) {
-  const Wind& wind = request.cloudscape->wind;
-  const glm::dvec3 drift = direction_of(wind.towards_azimuth_deg, 0) * wind.speed_m_per_s * request.time_s;
-  return {request.pose.position_m.x - drift.x, request.pose.position_m.y - drift.y};
+  return glm::dvec2(request.pose.position_m) - wind_drift(request);
 }
 
 vec4 tile_of(const Volume& volume, const glm::dvec2& at_m) {
@@ -164,6 +167,11 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
 }
 
 }  // namespace
+
+glm::dvec2 drift_of_clouds(const FrameRequest& request) {
+  const VolumeKind kind = request.cloudscape->volume.kind;
+  return kind == VolumeKind::noise || is_from_file(kind) ? wind_drift(request) : glm::dvec2(0);
+}
 
 // A shape of one channel is mixed when it is baked, or comes from a file; the channels that it has not read as 0, 0
 // and 1.

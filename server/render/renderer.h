@@ -17,6 +17,7 @@
 #include "render/passes.h"
 #include "render/path_tracer.h"
 #include "render/terrain_stage.h"
+#include "render/water_stage.h"
 
 namespace cloudscape::render {
 
@@ -27,6 +28,7 @@ struct RenderJob {
   std::shared_ptr<const bake::PhaseTexture> phase;    // where the document's phase function is looked up
   std::shared_ptr<const InScatterVolume> in_scatter;  // where its light model needs one
   Land land;
+  WaterView water;
   std::unique_ptr<Targets> targets;
   int sample = 0, last_sample = 0;  // indices in the average
   int row = 0;                      // of the march target, next to render
@@ -73,8 +75,11 @@ class Renderer {
   History& history_of(const FrameRequest& request);
   bool find_baked(RenderJob& job);
   bool find_in_scatter(RenderJob& job);
+  bool find_water(RenderJob& job);
+  Passes::Medium medium_of(const RenderJob& job);
   bool advance_trace(RenderJob& job);
   void finish_trace(RenderJob& job);
+  CloudBlock cloud_values(const RenderJob& job) const;
   SkyTables::Set bind_blocks(const RenderJob& job, int sample);
   void render_rows(RenderJob& job);
   void finish_sample(RenderJob& job);
@@ -88,6 +93,7 @@ class Renderer {
   SkyTables sky_;
   InScatterVolumes in_scatter_;
   TerrainStage terrain_;
+  WaterStage water_;
   PathTracer tracer_;
   TargetPool pool_;
   gpu::UniformBlock<FrameBlock> frame_block_;

@@ -14,7 +14,10 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 
 double wrapped(double value, double period) { return value - period * std::floor(value / period); }
 
-// Width of a pixel in the middle of the picture: that of parallel rays (m), and growth for each metre of distance.
+vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
+
+}  // namespace
+
 glm::dvec2 pixel_widths(const FrameRequest& request) {
   const double width = request.size_px.width, height = request.size_px.height;
   switch (request.lens.kind) {
@@ -29,10 +32,6 @@ glm::dvec2 pixel_widths(const FrameRequest& request) {
   }
   return {0, 0};
 }
-
-vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
-
-}  // namespace
 
 TerrainBlock terrain_block(const FrameRequest& request, const bake::BakedTerrain& baked) {
   const Terrain& terrain = request.cloudscape->ground.terrain;
