@@ -1,4 +1,5 @@
-// The sections of a cloudscape around the medium: sun, moon, sky, ground, wind. Terrain and water have headers of their own.
+// The sections of a cloudscape around the medium: sun, moon, sky, ground, wind. Terrain and water have headers of their
+// own.
 #pragma once
 #include <array>
 #include <glm/vec3.hpp>

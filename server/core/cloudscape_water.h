@@ -11,8 +11,9 @@ namespace cloudscape {
 struct Water {
   std::optional<double> level_m;
   double wind_m_per_s = 5.0;
-  // Of a clear ocean: what its deep water scatters back (Mobley 1994, "Light and Water", section 3.8), seen by linear sRGB.
-  glm::dvec3 albedo{0.003, 0.014, 0.032};
+  // Of a clear ocean: what its deep water scatters back (Mobley 1994, "Light and Water", section 3.8), seen by linear
+  // sRGB.
+  glm::dvec3 albedo{0.004, 0.018, 0.045};
   double clarity_m = 6.0;
   bool operator==(const Water&) const = default;
 

@@ -19,9 +19,7 @@ glm::dvec2 wind_drift(const FrameRequest& request) {
 }
 
 // Where the point below the camera lies in a pattern that drifts with the wind, m.
-glm::dvec2 drifted(const FrameRequest& request) {
-  return glm::dvec2(request.pose.position_m) - wind_drift(request);
-}
+glm::dvec2 drifted(const FrameRequest& request) { return glm::dvec2(request.pose.position_m) - wind_drift(request); }
 
 vec4 tile_of(const Volume& volume, const glm::dvec2& at_m) {
   glm::dvec2 tile{(at_m.x - volume.origin_m.x) / volume.size_m.x, (at_m.y - volume.origin_m.y) / volume.size_m.y};

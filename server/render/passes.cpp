@@ -50,8 +50,7 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);
   const ScreenPass& scene_pass = medium.water ? scene_with_water(targets.float32) : precision.scene;
-  scene_pass.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene,
-                      scene_textures);
+  scene_pass.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
   precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
 }
 

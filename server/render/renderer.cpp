@@ -130,7 +130,7 @@ Passes::Medium Renderer::medium_of(const RenderJob& job) {
 bool Renderer::find_water(RenderJob& job) {
   if (!has_water(*job.request.cloudscape)) return true;
   const CloudBlock cloud = cloud_values(job);
-  const bool found = water_.prepare({job.request, cloud, medium_of(job), passes_, sky_}, job.water);
+  const bool found = water_.prepare({job.request, cloud, medium_of(job), job.in_scatter, passes_, sky_}, job.water);
   if (!found) context_.finish();
   return found;
 }

@@ -14,8 +14,8 @@ using gpu::Binding, gpu::Format, gpu::Texture;
 // tuned: a texel is 1.4 degrees wide, which waves blur; a slice is about 10 ms on two cores.
 constexpr ImageSize panorama_size{256, 128};
 constexpr int rows = 64, levels = 6, rows_per_slice = 8;
-constexpr std::size_t most_panoramas = 8;  // tuned: streams over different places of a few documents
-constexpr double eye_above_m = 2;          // the water, so that it does not see below it
+constexpr std::size_t most_panoramas = 16;  // tuned: streams over different places of a few documents
+constexpr double eye_above_m = 2;           // the water, so that it does not see below it
 
 // Altitude of most of the clouds above the water, m: nearer their base, which is what shows.
 double clouds_above_m(const FrameRequest& request, const CloudBlock& cloud) {
@@ -24,7 +24,8 @@ double clouds_above_m(const FrameRequest& request, const CloudBlock& cloud) {
   return std::max(std::lerp(low_m, high_m, 0.3) - *request.cloudscape->ground.water.level_m, 100.0);
 }
 
-// tuned: as far from the place as the clouds are a quarter of their altitude away, what is moved to it stays believable.
+// tuned: as far from the place as the clouds are a quarter of their altitude away, what is moved to it stays
+// believable.
 glm::dvec2 eye_of(const FrameRequest& request, double altitude_m) {
   const double spacing_m = std::clamp(0.25 * altitude_m, 50.0, 2000.0);
   const glm::dvec2 at_m = glm::dvec2(request.pose.position_m) - drift_of_clouds(request);
@@ -72,19 +73,26 @@ WaterStage::Entry& WaterStage::entry_of(const Scene& scene) {
   const glm::dvec2 eye_m = eye_of(request, altitude_m);
   const auto same = [&](const Entry& entry) {
     return entry.panorama->eye_m == eye_m && entry.march == request.march &&
-           entry.in_scatter == scene.medium.in_scatter &&
+           entry.in_scatter.lock() == scene.in_scatter &&
            (entry.cloudscape == request.cloudscape || *entry.cloudscape == *request.cloudscape);
   };
   auto found = std::ranges::find_if(entries_, same);
   if (found == entries_.end()) {
     ++panoramas_made_;
-    entries_.push_front({request.cloudscape, request.march, scene.medium.in_scatter, new_panorama(eye_m, altitude_m),
+    entries_.push_front({request.cloudscape, request.march, scene.in_scatter, new_panorama(eye_m, altitude_m),
                          panorama_targets(), 0});
-    if (entries_.size() > most_panoramas) entries_.pop_back();
+    drop_oldest();
     return entries_.front();
   }
   entries_.splice(entries_.begin(), entries_, found);
   return entries_.front();
+}
+
+// One that is done, if there is one: others are being waited for.
+void WaterStage::drop_oldest() {
+  if (entries_.size() <= most_panoramas) return;
+  const auto done = std::find_if(entries_.rbegin(), entries_.rend(), [](const Entry& entry) { return !entry.targets; });
+  entries_.erase(done == entries_.rend() ? std::prev(entries_.end()) : std::prev(done.base()));
 }
 
 void WaterStage::render_slice(const Scene& scene, Entry& entry) {
@@ -144,8 +152,7 @@ std::vector<Binding> WaterStage::bind(const FrameRequest& request, const WaterVi
   WaterBlock block = water_block(request);
   std::vector<Binding> textures{{0, &view.sky->even}, {1, &view.sky->aerosol}};
   if (view.panorama) {
-    const glm::dvec2 at_m =
-        view.panorama->eye_m + drift_of_clouds(request) - glm::dvec2(request.pose.position_m);
+    const glm::dvec2 at_m = view.panorama->eye_m + drift_of_clouds(request) - glm::dvec2(request.pose.position_m);
     block.clouds = {at_m.x, at_m.y, view.panorama->altitude_m, levels - 1};
     textures.push_back({2, &view.panorama->clouds});
   }

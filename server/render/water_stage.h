@@ -1,7 +1,7 @@
 // The water of a frame: the sky above it, and the clouds that it reflects, as a small panorama of them.
 //
-// The panorama is taken from points of a lattice that drifts with the clouds, so that neither the wind nor a small move of the
-// camera makes a new one, and a picture stays a function of its request. Streams of one document share it.
+// The panorama is taken from points of a lattice that drifts with the clouds, so that neither the wind nor a small move
+// of the camera makes a new one, and a picture stays a function of its request. Streams of one document share it.
 #pragma once
 #include <list>
 #include <memory>
@@ -38,11 +38,12 @@ class WaterStage {
     const FrameRequest& request;
     const CloudBlock& cloud;  // of the request
     const Passes::Medium& medium;
+    const std::shared_ptr<const InScatterVolume>& in_scatter;  // of the medium
     const Passes& passes;
     SkyTables& sky;
   };
-  // Renders the next slice of what the frame needs; true when all is there, or for a frame whose light may lag something
-  // that is nearly it. Binds blocks of its own.
+  // Renders the next slice of what the frame needs; true when all is there, or for a frame whose light may lag
+  // something that is nearly it. Binds blocks of its own.
   bool prepare(const Scene& scene, WaterView& view);
   // Uploads and binds the block; the textures are for the scene pass.
   std::vector<gpu::Binding> bind(const FrameRequest& request, const WaterView& view);
@@ -53,12 +54,13 @@ class WaterStage {
   struct Entry {
     std::shared_ptr<const Cloudscape> cloudscape;
     March march;
-    const InScatterVolume* in_scatter = nullptr;
+    std::weak_ptr<const InScatterVolume> in_scatter;
     std::shared_ptr<CloudPanorama> panorama;
     std::unique_ptr<Targets> targets;  // until it is done
     int next_row = 0;
   };
   Entry& entry_of(const Scene& scene);
+  void drop_oldest();
   void render_slice(const Scene& scene, Entry& entry);
   std::shared_ptr<const CloudPanorama> newest_like(const Entry& entry) const;
 

@@ -11,7 +11,7 @@ namespace cloudscape::render {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi, gravity_m_per_s2 = 9.81;
-constexpr int train_count = 20;
+constexpr int train_count = 24;
 
 double fraction(double value) { return value - std::floor(value); }
 
@@ -21,15 +21,15 @@ struct Train {
   double phase = 0;        // at the point below the camera
 };
 
-// The waves of a wind hold as much slope in each octave of their length, from the longest that the wind has raised (Pierson and
-// Moskowitz 1964) down. tuned: to 0.35 m, below which they are roughness; their directions spread from the wind's the
-// more the shorter they are, and by the golden ratio, so that no two trains go alike.
+// The waves of a wind hold as much slope in each octave of their length, from the longest that the wind has raised
+// (Pierson and Moskowitz 1964) down. tuned: to 0.12 m, below which they are roughness; their directions spread from the
+// wind's the more the shorter they are, and by the golden ratio, so that no two trains go alike.
 Train train_of(int number, const FrameRequest& request, double slope) {
-  const double share = static_cast<double>(number) / (train_count - 1), shortest_m = 0.35;
+  const double share = static_cast<double>(number) / (train_count - 1), shortest_m = 0.12;
   const double scatter = fraction(0.618033988749895 * number + 0.3), shift = fraction(0.754877666246693 * number);
   const double longest_m = longest_wave_m(request.cloudscape->ground.water.wind_m_per_s);
-  const double length_m = longest_m * std::pow(shortest_m / longest_m, share) * (0.93 + 0.14 * shift);
-  const double turn_deg = (2 * scatter - 1) * std::lerp(35.0, 95.0, share);
+  const double length_m = longest_m * std::pow(shortest_m / longest_m, share) * (0.85 + 0.3 * shift);
+  const double turn_deg = (2 * scatter - 1) * std::lerp(30.0, 70.0, share);
   const double wave_number = two_pi / length_m;
   Train train;
   train.wave_vector =
@@ -66,8 +66,8 @@ double longest_wave_m(double wind_m_per_s) {
 WaterBlock water_block(const FrameRequest& request) {
   const Water& water = request.cloudscape->ground.water;
   const double whole = mean_square_slope(water.wind_m_per_s);
-  // Cox and Munk's sea under a film of oil, which has no ripples shorter than about 0.3 m.
-  const double long_waves = std::min(0.008 + 0.00156 * water.wind_m_per_s, 0.6 * whole);
+  // tuned: as Cox and Munk's sea under a film of oil, which has no ripples shorter than 0.3 m, has half of the slope.
+  const double long_waves = 0.6 * whole;
   const double slope = std::sqrt(2 * long_waves / train_count);
   const glm::dvec2 width = pixel_widths(request);
   const glm::dvec2 third = train_of(8, request, 0).wave_vector;
@@ -81,6 +81,7 @@ WaterBlock water_block(const FrameRequest& request) {
   block.waves_c = trains_from(8, request, slope);
   block.waves_d = trains_from(12, request, slope);
   block.waves_e = trains_from(16, request, slope);
+  block.waves_f = trains_from(20, request, slope);
   return block;
 }
 

@@ -33,7 +33,7 @@ PassOutput shade(ivec2 pixel) {
   else if (distance_m < no_hit_m) surface = plain_surface(ray, distance_m);
 #ifdef WITH_WATER
   float water_m = water_distance_m(ray);
-  int wet = water_m < distance_m ? 1 : 0;
+  int wet = water_m < no_hit_m && water_m <= distance_m ? 1 : 0;
   for (int i = 0; i < wet; ++i) surface = water_surface(ray, water_m);
   distance_m = min(distance_m, water_m);
 #endif

@@ -26,30 +26,16 @@ vec4 clouds_over_water(vec3 place, vec3 direction, float sine, float spread) {
   if (water.clouds.w < 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
   float high_m = water.clouds.z;
   float reach_m = 2.0 * high_m / (sine + sqrt(sine * sine + 2.0 * high_m / planet_radius_m) + 1.0e-6);
-  // tuned: so far from where it was taken that nobody can tell, the panorama is looked up as if it were taken here.
+  // tuned: so far from where it was taken the panorama is looked up as if it were taken here, without its detail.
   vec2 away = place.xy - water.clouds.xy;
   float stay = smoothstep(10.0 * high_m, 40.0 * high_m, length(away));
   vec2 to_m = reach_m * direction.xy + (1.0 - stay) * away;
   float far_m = max(length(to_m), 1.0e-3 * high_m);
   float elevation = atan(high_m / far_m - far_m / (2.0 * planet_radius_m));
   vec2 size = vec2(textureSize(water_clouds, 0));
-  float level = clamp(log2(max(spread * size.x / (2.0 * pi), 1.0)), 0.0, water.clouds.w);
+  float level = clamp(log2(max(spread * size.x / (2.0 * pi), 1.0)), stay * water.clouds.w, water.clouds.w);
   float v = clamp(1.0 - 2.0 * elevation / pi, 0.0, 1.0);
   return textureLod(water_clouds, vec2(0.5 + atan(to_m.x, to_m.y) / (2.0 * pi), v), level);
-}
-
-// Share of the sun's disc that clouds and land leave to a place on the water.
-float sun_over_water(vec3 place, vec3 up) {
-  float sine = max(dot(up, frame.light_direction.xyz), 0.0);
-  float share = clouds_over_water(place, frame.light_direction.xyz, sine, 0.0).w;
-  int land = frame.ground.x == 2.0 ? 1 : 0;
-  for (int i = 0; i < land; ++i) {
-    Site site;
-    site.position = place, site.up = up;
-    site.uv = (terrain.lattice.zw + place.xy * terrain.lattice.x + 0.5) / float(terrain.size.x);
-    share *= sun_share(site);
-  }
-  return share;
 }
 
 float land_altitude_m(vec2 place, float spacing_m) {
@@ -90,6 +76,15 @@ LandAhead land_ahead(vec3 place, vec3 direction, float sine, float cosine, float
   }
   ahead.share = smoothstep(-spread, spread, highest);
   return ahead;
+}
+
+// Share of the sun's disc that clouds and land leave to a place on the water.
+float sun_over_water(vec3 place, float mu) {
+  float sine = max(mu, 0.0);
+  float share = clouds_over_water(place, frame.light_direction.xyz, sine, 0.0).w;
+  int land = frame.ground.x == 2.0 ? 1 : 0;
+  for (int i = 0; i < land; ++i) share *= 1.0 - land_ahead(place, frame.light_direction.xyz, sine, sine, terrain.sun.z).share;
+  return share;
 }
 
 // `behind`: radiance of the sky there, of which the air before the land has its part. `distance_m`: from the camera to the water, so that the
