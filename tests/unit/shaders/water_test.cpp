@@ -72,11 +72,10 @@ TEST(WaterGlitter, OfNearlyFlatWaterIsWhatFresnelReflects) {
 // white sky, but for what facets hide from each other, which is reflected again.
 TEST(WaterGlitter, SendsOutWhatTheFacetsReflect) {
   for (const float mss : {0.01F, 0.035F})
-    for (const double sun_deg : {60.0, 30.0, 15.0}) {
+    for (const double sun_deg : {60.0, 30.0, 15.0, 8.0}) {
       const double mirrored = water_mirror(at(sun_deg), up(), mss).share;
       const double ratio = reflected_share(sun_deg, mss) / mirrored;
-      EXPECT_LT(ratio, 1.04L) << sun_deg << ", " << mss;
-      EXPECT_GT(ratio, sun_deg < 20 ? 0.85L : 0.95L) << sun_deg << ", " << mss;
+      EXPECT_NEAR(ratio, 1, sun_deg < 20 ? 0.1L : 0.04L) << sun_deg << ", " << mss;
     }
 }
 
@@ -113,7 +112,7 @@ TEST(WaterMirror, ReflectsWhatTheFacetsDoOnAverage) {
   for (const float mss : {0.005F, 0.03F, 0.06F})
     for (const double elevation_deg : {1.0, 5.0, 15.0, 40.0, 80.0}) {
       const vec3 view = at(elevation_deg);
-      EXPECT_NEAR(water_mirror(view, up(), mss).share / share_over_slopes(view, mss), 1, 0.06L)
+      EXPECT_NEAR(water_mirror(view, up(), mss).share / share_over_slopes(view, mss), 1, mss > 0.04F ? 0.12L : 0.06L)
           << elevation_deg << ", " << mss;
     }
 }
@@ -146,8 +145,8 @@ TEST(WaterWaves, KeepTheirMeanSquareSlopeAtAnyFootprint) {
       sum += glm::dot(waves.slope, waves.slope), unseen = waves.unseen_mss;
     }
     EXPECT_NEAR((sum / count + unseen) / whole, 1, 0.02L) << width_m;
-    if (width_m == 0) EXPECT_NEAR(unseen, 0, 1e-6L);
-    if (width_m == 4) EXPECT_GT(unseen, 0.5L * whole);
+    EXPECT_LE(unseen, width_m == 0 ? 1e-6L : 1);
+    EXPECT_GE(unseen, width_m == 4 ? 0.5L * whole : 0);
   }
 }
 
