@@ -22,14 +22,14 @@ struct Train {
 };
 
 // The waves of a wind hold as much slope in each octave of their length, from the longest that the wind has raised
-// (Pierson and Moskowitz 1964) down. tuned: to 0.12 m, below which they are roughness; their directions spread from the
+// (Pierson and Moskowitz 1964) down. tuned: to 0.08 m, below which they are roughness; their directions spread from the
 // wind's the more the shorter they are, and by the golden ratio, so that no two trains go alike.
 Train train_of(int number, const FrameRequest& request, double slope) {
-  const double share = static_cast<double>(number) / (train_count - 1), shortest_m = 0.12;
+  const double share = static_cast<double>(number) / (train_count - 1), shortest_m = 0.08;
   const double scatter = fraction(0.618033988749895 * number + 0.3), shift = fraction(0.754877666246693 * number);
   const double longest_m = longest_wave_m(request.cloudscape->ground.water.wind_m_per_s);
   const double length_m = longest_m * std::pow(shortest_m / longest_m, share) * (0.85 + 0.3 * shift);
-  const double turn_deg = (2 * scatter - 1) * std::lerp(30.0, 70.0, share);
+  const double side = 2 * scatter - 1, turn_deg = side * std::abs(side) * std::lerp(40.0, 90.0, share);
   const double wave_number = two_pi / length_m;
   Train train;
   train.wave_vector =

@@ -167,7 +167,9 @@ class Lake : public OwnStackTest {
                           .snow_line_m = 20000,
                           .tree_line_m = 20000,
                           .rock_albedo = glm::dvec3(0)};
-    return red(stack_->renderer.render(one_ray(sky, pose)));
+    FrameRequest request = one_ray(sky, pose);
+    request.lens.vertical_fov_deg = 1;  // a pixel as wide as a mountain sees none
+    return red(stack_->renderer.render(request));
   }
   HeightMapFolder folder_;
   std::unique_ptr<Stack> stack_;
