@@ -63,7 +63,7 @@ class Renderer {
   std::vector<StreamId> remembered() const;  // streams that something is kept for
   void reload_shaders();
   std::size_t history_bytes() const;
-  int sky_bakes() const { return sky_.bakes(); }  // tables of the sky computed so far
+  int sky_bakes() const { return sky_.bakes(); }        // tables of the sky computed so far
   int panoramas() const { return water_.panoramas(); }  // of clouds for water, begun so far
   PathTracer& tracer() { return tracer_; }
 

@@ -79,8 +79,8 @@ WaterStage::Entry& WaterStage::entry_of(const Scene& scene) {
   auto found = std::ranges::find_if(entries_, same);
   if (found == entries_.end()) {
     ++panoramas_made_;
-    entries_.push_front({request.cloudscape, request.march, scene.in_scatter, new_panorama(eye_m, altitude_m),
-                         panorama_targets(), 0});
+    entries_.push_front(
+        {request.cloudscape, request.march, scene.in_scatter, new_panorama(eye_m, altitude_m), panorama_targets(), 0});
     drop_oldest();
     return entries_.front();
   }
