@@ -1,5 +1,4 @@
 #include "app/simulated_viewers.h"
-#include "stream/quality_control.h"
 
 #include <pthread.h>
 

@@ -1,4 +1,5 @@
-// The sections of a cloudscape around the medium: sun, moon, sky, ground, wind. The terrain has a header of its own.
+// The sections of a cloudscape around the medium: sun, moon, sky, ground, wind. Terrain and water have headers of their
+// own.
 #pragma once
 #include <array>
 #include <glm/vec3.hpp>
@@ -6,6 +7,7 @@
 #include <string>
 
 #include "core/cloudscape_terrain.h"
+#include "core/cloudscape_water.h"
 #include "core/fields.h"
 
 namespace cloudscape {
@@ -119,6 +121,7 @@ struct Ground {
   glm::dvec3 albedo{0.14, 0.15, 0.09};
   double variation = 0.5;
   Terrain terrain;
+  Water water;
   bool operator==(const Ground&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -128,6 +131,7 @@ struct Ground {
     visit("albedo", self.albedo, Limits{0, 1}, "Diffuse reflectance (red, green, blue).");
     visit("variation", self.variation, Limits{0, 1}, "How much the albedo changes from field to field; 0: not at all.");
     visit("terrain", self.terrain, Limits{}, "Heights and cover of a terrain (Olajos 2.4.1).");
+    visit("water", self.water, Limits{}, "A sea, or lakes of a terrain, with any kind of ground.");
   }
 };
 

@@ -1,6 +1,7 @@
 // Requests to uniform blocks: where doubles of the document become floats of the device.
 #pragma once
 #include <array>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "bake/baked_cloudscape.h"
@@ -16,6 +17,9 @@ struct CameraAxes {
   glm::dvec3 right, up, forward;
 };
 CameraAxes camera_axes(const CameraPose& pose);
+
+// Width of a pixel in the middle of the picture: that of parallel rays (m), and growth for each metre of distance.
+glm::dvec2 pixel_widths(const FrameRequest& request);
 
 // Unit vector from azimuth and elevation, degrees.
 glm::dvec3 direction_of(double azimuth_deg, double elevation_deg);
@@ -47,5 +51,9 @@ void set_lights(FrameBlock& block, const FrameRequest& request);
 // Of a document as it is marched.
 InScatterPlan in_scatter_plan_of(const Cloudscape& marched, const bake::BakedCloudscape& baked);
 CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape& baked);
+// How far east and north the clouds have drifted, m; formulas stand still.
+glm::dvec2 drift_of_clouds(const FrameRequest& request);
+// The water block without its view of the clouds.
+WaterBlock water_block(const FrameRequest& request);
 
 }  // namespace cloudscape::render

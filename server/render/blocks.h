@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace cloudscape::render {
-using glm::ivec4, glm::uvec4, glm::vec4;
+using glm::ivec4, glm::mat4, glm::uvec4, glm::vec4;
 #include "shared/bloom_block.glsl"
 #include "shared/cloud_block.glsl"
 #include "shared/density_block.glsl"
@@ -18,4 +18,5 @@ using glm::ivec4, glm::uvec4, glm::vec4;
 #include "shared/sky_block.glsl"
 #include "shared/terrain_block.glsl"
 #include "shared/trace_block.glsl"
+#include "shared/water_block.glsl"
 }  // namespace cloudscape::render

@@ -14,16 +14,17 @@ namespace {
 vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
 double fraction(double value) { return value - std::floor(value); }
 
-// Where the point below the camera lies in a pattern that drifts with the wind, m.
-glm::dvec2 drifted(const FrameRequest& request) {
-  return glm::dvec2(request.pose.position_m) - drift_m_per_s(*request.cloudscape) * request.time_s;
-}
+// How far the wind has moved the clouds, m.
+glm::dvec2 wind_drift(const FrameRequest& request) { return drift_m_per_s(*request.cloudscape) * request.time_s; }
 
 // A pattern that repeats, seen from a point: 1 / period, and where in its period the point lies. The whole periods are
 // taken off in double precision, so that neither far ways nor long times are seen.
 vec4 repeating(double period_m, const glm::dvec3& at_m) {
   return {1 / period_m, fraction(at_m.x / period_m), fraction(at_m.y / period_m), fraction(at_m.z / period_m)};
 }
+
+// Where the point below the camera lies in a pattern that drifts with the wind, m.
+glm::dvec2 drifted(const FrameRequest& request) { return glm::dvec2(request.pose.position_m) - wind_drift(request); }
 
 vec4 tile_of(const Volume& volume, const glm::dvec2& at_m) {
   glm::dvec2 tile{(at_m.x - volume.origin_m.x) / volume.size_m.x, (at_m.y - volume.origin_m.y) / volume.size_m.y};
@@ -174,6 +175,11 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
 }
 
 }  // namespace
+
+glm::dvec2 drift_of_clouds(const FrameRequest& request) {
+  const VolumeKind kind = request.cloudscape->volume.kind;
+  return kind == VolumeKind::noise || is_from_file(kind) ? wind_drift(request) : glm::dvec2(0);
+}
 
 // A shape of one channel is mixed when it is baked, or comes from a file; the channels that it has not read as 0, 0
 // and 1.

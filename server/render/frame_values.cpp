@@ -1,5 +1,6 @@
 // The frame block: camera, sun, sky, ground and display of one sample.
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -21,6 +22,16 @@ double wrapped(double value, double period) { return value - period * std::floor
 glm::dvec2 subpixel_offset(int sample) {
   if (sample == 0) return {0, 0};
   return {wrapped(0.5 + 0.7548776662466927 * sample, 1) - 0.5, wrapped(0.5 + 0.5698402909980532 * sample, 1) - 0.5};
+}
+
+// A sea is the ground that clouds and air are lit from. The surface of water reflects 0.066 of diffuse light
+// (Preisendorfer and Mobley 1986, of a calm sea).
+void set_water(FrameBlock& block, const Ground& ground) {
+  constexpr double no_water_m = -1e9;
+  block.water = xyz_w(glm::min(ground.water.albedo + 0.066, 1.0), ground.water.level_m.value_or(no_water_m));
+  if (!ground.water.level_m || ground.kind == GroundKind::terrain) return;
+  block.ground.x = static_cast<float>(GroundKind::plain);
+  block.ground_albedo = vec4(glm::vec3(block.water), 0);
 }
 
 }  // namespace
@@ -70,6 +81,7 @@ FrameBlock frame_block(const FrameRequest& request, int sample) {
                    request.display.bloom_strength, request.display.bloom_threshold};
   block.accumulation = {1.0 / (sample + 1), request.quality.float32 ? largest_float : largest_half, 1,
                         request.sample_share};
+  set_water(block, sky.ground);
   set_lights(block, request);
   return block;
 }

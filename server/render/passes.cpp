@@ -11,11 +11,20 @@ Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
             ScreenPass(context, shaders, "render/march.glsl", {Format::rgba16f, Format::rg32f})},
       full_{ScreenPass(context, shaders, "render/scene.glsl", {Format::rgba32f, Format::r32f}),
             ScreenPass(context, shaders, "render/march.glsl", {Format::rgba32f, Format::rg32f})},
+      context_(context),
+      shaders_(shaders),
       smooth_(context, shaders, "render/smooth.glsl", {Format::rgba16f, Format::rg32f}),
       composite_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f}),
       tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}),
       tone_map_bloom_(context, shaders, "render/tone_map_bloom.glsl", {Format::rgba8}),
       bloom_(context, shaders) {}
+
+const ScreenPass& Passes::scene_with_water(bool float32) const {
+  auto& pass = scenes_with_water_[float32 ? 1 : 0];
+  const Format radiance = float32 ? Format::rgba32f : Format::rgba16f;
+  if (!pass) pass.emplace(context_, shaders_, "render/scene_water.glsl", std::vector{radiance, Format::r32f});
+  return *pass;
+}
 
 void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin,
                    int row_end) const {
@@ -40,8 +49,8 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);
-  precision.scene.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene,
-                      scene_textures);
+  const ScreenPass& scene_pass = medium.water ? scene_with_water(targets.float32) : precision.scene;
+  scene_pass.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
   precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
 }
 
@@ -70,6 +79,8 @@ void Passes::reload(gpu::ShaderLibrary& shaders) {
   for (ScreenPass* pass :
        {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_, &tone_map_, &tone_map_bloom_})
     pass->reload(shaders);
+  for (auto& pass : scenes_with_water_)
+    if (pass) pass->reload(shaders);
   bloom_.reload(shaders);
 }
 

@@ -1,6 +1,9 @@
 // The screen passes of a frame, in their order: scene, march, smooth (moving pictures), composite, bloom, tone
 // map.
 #pragma once
+#include <array>
+#include <optional>
+
 #include "bake/baked_cloudscape.h"
 #include "gpu/pass.h"
 #include "render/bloom.h"
@@ -17,9 +20,10 @@ class Passes {
   struct Medium {
     const bake::BakedCloudscape& baked;
     const gpu::Texture& structure;
-    std::span<const gpu::Binding> land;   // textures of the scene's terrain
+    std::span<const gpu::Binding> land;   // textures of the scene's terrain and water
     const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
     const InScatterVolume* in_scatter = nullptr;
+    bool water = false;  // whether the scene has any
   };
   void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;
   // The whole picture into targets.scratch, averaged with `previous`.
@@ -30,10 +34,14 @@ class Passes {
   void reload(gpu::ShaderLibrary& shaders);
 
  private:
+  const gpu::ScreenPass& scene_with_water(bool float32) const;
   struct Precision {  // HDR targets of 16 or 32 bits
     gpu::ScreenPass scene, march;
   };
   Precision half_, full_;
+  const gpu::Context& context_;
+  gpu::ShaderLibrary& shaders_;
+  mutable std::array<std::optional<gpu::ScreenPass>, 2> scenes_with_water_;  // of 16 and 32 bits; once they are wanted
   gpu::ScreenPass smooth_, composite_, tone_map_, tone_map_bloom_;
   Bloom bloom_;
 };

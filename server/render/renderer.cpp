@@ -51,6 +51,7 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
       in_scatter_(shaders, bake::LightCache(bakes.files())),
       terrain_(context, shaders, std::move(height_maps)),
       resolver_(context, shaders),
+      water_(context, shaders),
       tracer_(context, shaders),
       frame_block_("frame"),
       cloud_block_("cloud") {}
@@ -86,7 +87,7 @@ bool Renderer::advance(RenderJob& job) {
     return false;
   }
   if (job.request.quality.technique == Technique::path_tracing) return advance_trace(job);
-  if (!find_in_scatter(job)) return false;
+  if (!find_in_scatter(job) || !find_water(job)) return false;
   if (!job.targets) {
     job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
@@ -126,6 +127,21 @@ bool Renderer::find_in_scatter(RenderJob& job) {
   const double g = mean_cosine(sky.medium.phase, job.phase ? job.phase->mean_asymmetry_g : 0);
   job.in_scatter = in_scatter_.find({job.request, job.baked, structure, tables.lights, g});
   return job.in_scatter != nullptr;
+}
+
+// The clouds without land and water.
+Passes::Medium Renderer::medium_of(const RenderJob& job) {
+  const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
+  return {*job.baked, structure, {}, job.phase ? &job.phase->texture : nullptr, job.in_scatter.get()};
+}
+
+// What water reflects.
+bool Renderer::find_water(RenderJob& job) {
+  if (!has_water(*job.request.cloudscape)) return true;
+  const CloudBlock cloud = cloud_values(job);
+  const bool found = water_.prepare({job.request, cloud, medium_of(job), job.in_scatter, passes_, sky_}, job.water);
+  if (!found) context_.finish();
+  return found;
 }
 
 // A slice of a path-traced picture.
@@ -172,6 +188,13 @@ int Renderer::rows_of_next_slice(const RenderJob& job) const {
   return std::max(1, static_cast<int>(pixels / width));
 }
 
+CloudBlock Renderer::cloud_values(const RenderJob& job) const {
+  CloudBlock cloud = cloud_block(job.request, *job.baked);
+  if (job.phase) cloud.phase.x = static_cast<float>(job.phase->mean_asymmetry_g);
+  set_mean_cosine(cloud, mean_cosine(job.request.cloudscape->medium.phase, cloud.phase.x));
+  return cloud;
+}
+
 // The blocks of a sample, which others may have used in between, and the tables of its sky.
 SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
   FrameBlock frame = frame_block(job.request, sample);
@@ -180,9 +203,7 @@ SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
     frame.lens.z = static_cast<float>(offset.x), frame.lens.w = static_cast<float>(offset.y);
     frame.accumulation.x = 1;  // each is a picture of its own
   }
-  CloudBlock cloud = cloud_block(job.request, *job.baked);
-  if (job.phase) cloud.phase.x = static_cast<float>(job.phase->mean_asymmetry_g);
-  set_mean_cosine(cloud, mean_cosine(job.request.cloudscape->medium.phase, cloud.phase.x));
+  const CloudBlock cloud = cloud_values(job);
   frame_block_.upload(frame);
   cloud_block_.upload(cloud);
   frame_block_.bind();
@@ -194,10 +215,11 @@ void Renderer::render_rows(RenderJob& job) {
   const auto start = Clock::now();
   const SkyTables::Set sky = bind_blocks(job, job.sample);
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
-  const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
-  const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
-  const auto land = terrain_.bind(job.request, job.land);
-  passes_.march(*job.targets, sky, {*job.baked, structure, land, phase, job.in_scatter.get()}, job.row, end);
+  auto land = terrain_.bind(job.request, job.land);
+  std::ranges::copy(water_.bind(job.request, job.water), std::back_inserter(land));
+  Passes::Medium medium = medium_of(job);
+  medium.land = land, medium.water = has_water(*job.request.cloudscape);
+  passes_.march(*job.targets, sky, medium, job.row, end);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
   job.row = end;
   if (!context_.device().software) return context_.flush();
@@ -316,6 +338,7 @@ void Renderer::reload_shaders() {
   in_scatter_.reload(shaders_);
   terrain_.reload(shaders_);
   resolver_.reload(shaders_);
+  water_.reload(shaders_);
   tracer_.reload();
 }
 

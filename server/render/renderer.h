@@ -18,6 +18,7 @@
 #include "render/path_tracer.h"
 #include "render/resolver.h"
 #include "render/terrain_stage.h"
+#include "render/water_stage.h"
 
 namespace cloudscape::render {
 
@@ -28,6 +29,7 @@ struct RenderJob {
   std::shared_ptr<const bake::PhaseTexture> phase;    // where the document's phase function is looked up
   std::shared_ptr<const InScatterVolume> in_scatter;  // where its light model needs one
   Land land;
+  WaterView water;
   std::unique_ptr<Targets> targets;
   int sample = 0, last_sample = 0;        // indices in the average
   int row = 0;                            // of the march target, next to render
@@ -65,7 +67,8 @@ class Renderer {
   void reload_shaders();
   std::size_t history_bytes() const;
   std::size_t history_bytes(StreamId stream) const;
-  int sky_bakes() const { return sky_.bakes(); }  // tables of the sky computed so far
+  int sky_bakes() const { return sky_.bakes(); }        // tables of the sky computed so far
+  int panoramas() const { return water_.panoramas(); }  // of clouds for water, begun so far
   PathTracer& tracer() { return tracer_; }
 
  private:
@@ -77,8 +80,11 @@ class Renderer {
   History& history_of(const FrameRequest& request);
   bool find_baked(RenderJob& job);
   bool find_in_scatter(RenderJob& job);
+  bool find_water(RenderJob& job);
+  Passes::Medium medium_of(const RenderJob& job);
   bool advance_trace(RenderJob& job);
   void finish_trace(RenderJob& job);
+  CloudBlock cloud_values(const RenderJob& job) const;
   SkyTables::Set bind_blocks(const RenderJob& job, int sample);
   void render_rows(RenderJob& job);
   void finish_sample(RenderJob& job);
@@ -94,6 +100,7 @@ class Renderer {
   InScatterVolumes in_scatter_;
   TerrainStage terrain_;
   Resolver resolver_;
+  WaterStage water_;
   PathTracer tracer_;
   TargetPool pool_;
   gpu::UniformBlock<FrameBlock> frame_block_;

@@ -14,6 +14,10 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 
 double wrapped(double value, double period) { return value - period * std::floor(value / period); }
 
+vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
+
+}  // namespace
+
 // Width of what a sample stands for in the middle of the picture: that of parallel rays (m), and growth for each metre
 // of distance.
 glm::dvec2 pixel_widths(const FrameRequest& request) {
@@ -31,10 +35,6 @@ glm::dvec2 pixel_widths(const FrameRequest& request) {
   }
   return {0, 0};
 }
-
-vec4 xyz_w(const glm::dvec3& xyz, double w) { return {xyz.x, xyz.y, xyz.z, w}; }
-
-}  // namespace
 
 TerrainBlock terrain_block(const FrameRequest& request, const bake::BakedTerrain& baked) {
   const Terrain& terrain = request.cloudscape->ground.terrain;

@@ -4,6 +4,9 @@
 #include "render/camera.glsl"
 #include "render/sky_above.glsl"
 #include "render/terrain.glsl"
+#ifdef WITH_WATER
+#include "render/water.glsl"
+#endif
 
 const float ground_plain = 1.0;
 const float ground_terrain = 2.0;
@@ -28,6 +31,12 @@ PassOutput shade(ivec2 pixel) {
   Surface surface = Surface(vec3(0.0), vec3(0.0));
   if (land_m < no_hit_m) surface = terrain_surface_at(ray, land_m);
   else if (distance_m < no_hit_m) surface = plain_surface(ray, distance_m);
+#ifdef WITH_WATER
+  float water_m = water_distance_m(ray);
+  int wet = water_m < no_hit_m && water_m <= distance_m ? 1 : 0;
+  for (int i = 0; i < wet; ++i) surface = water_surface(ray, water_m);
+  distance_m = min(distance_m, water_m);
+#endif
   // Where there is no ground a clear sky still ends at the planet.
   float end_m = sky_kind() == sky_clear ? min(distance_m, planet_m) : distance_m;
   vec3 radiance;

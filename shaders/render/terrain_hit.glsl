@@ -33,6 +33,7 @@ vec3 clearance_m(vec3 altitudes_m, vec4 corners, vec2 enter, vec2 leave) {
 float terrain_distance_m(vec3 origin, vec3 direction) {
   vec2 stretch = terrain_stretch(origin, direction);
   vec2 lattice = lattice_direction(direction.xy);
+  vec2 begin = terrain.lattice.zw + origin.xy * terrain.lattice.x;
   float sag = dot(direction.xy, direction.xy) / (8.0 * planet_radius_m);
   float nudge = 1.0e-3 * terrain.lattice.y;
   float t = stretch.x;
@@ -42,7 +43,7 @@ float terrain_distance_m(vec3 origin, vec3 direction) {
   int level = min(4, terrain.size.y);
   for (int i = 0; i < most_terrain_cells && t < stretch.y; ++i) {
     float cell_points = float(1 << level);
-    vec2 at = terrain.lattice.zw + lattice * t;
+    vec2 at = begin + lattice * t;
     vec2 cell = floor(at / cell_points);
     float leave = min(t + distance_to_exit(at, cell, cell_points, lattice), stretch.y);
     float length_m = leave - t;
@@ -57,7 +58,7 @@ float terrain_distance_m(vec3 origin, vec3 direction) {
     } else {
       vec3 altitudes_m = vec3(altitude_m, 0.5 * (altitude_m + leave_altitude_m) - bend_m, leave_altitude_m);
       vec2 enter = clamp(at / cell_points - cell, 0.0, 1.0);
-      vec2 end = clamp((terrain.lattice.zw + lattice * leave) / cell_points - cell, 0.0, 1.0);
+      vec2 end = clamp((begin + lattice * leave) / cell_points - cell, 0.0, 1.0);
       vec3 clear_m = clearance_m(altitudes_m, cell_corners(ivec2(cell), level), enter, end);
       if (first) below = clear_m.x < 0.0;
       if (!below && clear_m.x <= 0.0) return t;  // between two levels

@@ -16,6 +16,7 @@
    sky: radiance of a uniform sky, kind as core's SkyKind. atmosphere: factors on air, aerosol, ozone, scale height of the aerosol (m).
    aerosol: asymmetry, 0, 0, 0.
    ground_albedo: rgb, variation. ground: kind, fields' offset east and north (m), 0.
+   water: albedo as of a diffuse surface, altitude (m; below the planet: there is none).
    display: 2^exposure, tone curve, strength and threshold (exposed luminance) of the bloom.
    accumulation: weight of the new sample, greatest radiance that the targets hold, what radiance is multiplied by in them,
    side of what a pixel's sample stands for (pixels). */
@@ -45,6 +46,7 @@
   F(vec4, aerosol) \
   F(vec4, ground_albedo) \
   F(vec4, ground) \
+  F(vec4, water) \
   F(vec4, display) \
   F(vec4, accumulation)
 DECLARE_BLOCK(FrameBlock, frame, 1, FRAME_FIELDS)

@@ -1,4 +1,4 @@
-// A plain ground at sea level, or none.
+// A plain ground at sea level, a sea, or none.
 #ifndef TRACE_SURFACE_PLAIN
 #define TRACE_SURFACE_PLAIN
 #include "trace/surface.glsl"
@@ -6,7 +6,7 @@
 
 float surface_distance_m(vec3 origin, vec3 direction) {
   const float ground_plain = 1.0;
-  vec2 hit = intersect_altitude(origin, direction, 0.0);
+  vec2 hit = intersect_altitude(origin, direction, max(frame.water.w, 0.0));
   return frame.ground.x == ground_plain && hit.x <= hit.y && hit.y > 0.0 ? max(hit.x, 0.0) : no_hit_m;
 }
 

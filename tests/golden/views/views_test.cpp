@@ -39,6 +39,8 @@ constexpr const char* closed_form =
 const View views[] = {
     {"alpine-morning", "alpine-morning", 24, 0.5, edges},
     {"fair-weather-cumulus", "fair-weather-cumulus", 24, 0.5, edges},
+    {"mountain-lakes", "mountain-lakes", 24, 0.5, edges},
+    {"ocean-evening", "ocean-evening", 24, 0.5, edges},
     {"morning-puffs", "morning-puffs", 24, 0.5, edges},
     {"overcast", "overcast", 24, 0.5, edges},
     {"stratocumulus-deck", "stratocumulus-deck", 24, 0.5, edges},

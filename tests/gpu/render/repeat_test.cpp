@@ -191,6 +191,9 @@ TEST_F(Blocks, LieAsTheDriverLaysThem) {
   EXPECT_EQ(bloom.program().block_offsets("BloomBlock"), BloomBlock::offsets());
   const gpu::ScreenPass scene(stack().context, shaders, "render/scene.glsl", {gpu::Format::rgba16f, gpu::Format::r32f});
   EXPECT_EQ(scene.program().block_offsets("TerrainBlock"), TerrainBlock::offsets());
+  const gpu::ScreenPass water(stack().context, shaders, "render/scene_water.glsl",
+                              {gpu::Format::rgba16f, gpu::Format::r32f});
+  EXPECT_EQ(water.program().block_offsets("WaterBlock"), WaterBlock::offsets());
   const gpu::ScreenPass sky(stack().context, shaders, "render/sky_view.glsl",
                             {gpu::Format::rgba32f, gpu::Format::rgba32f});
   EXPECT_EQ(sky.program().block_offsets("SkyBlock"), SkyBlock::offsets());

@@ -102,6 +102,13 @@ TEST_F(Terrains, AreMetWhereTheirSurfaceIs) {
   EXPECT_GT(land_pixels, 100);
 }
 
+// Parallel rays begin elsewhere than at the camera; so do paths that are traced on.
+TEST_F(Terrains, AreMetByParallelRays) {
+  const Frame frame = render(beams(land("hill.exr"), {{0, 0, 5000}, 0, -90, 0}, {225, 1}, 3600));
+  for (int pixel = 0; pixel < 225; ++pixel)
+    EXPECT_NEAR(depth_m(frame, pixel), 5000 - hill_m((pixel - 112) * 16, 0), 3) << pixel;
+}
+
 TEST_F(Terrains, HaveNoHolesInTheirNarrowestRidge) {
   // One lattice point wide, 4 km away, seen by rays 5 m apart.
   const Frame frame = render(beams(land("wall.exr"), {{0, -4000, 245}, 0, 0, 0}, {200, 100}, 1000));

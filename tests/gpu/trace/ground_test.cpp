@@ -21,6 +21,16 @@ TEST_F(TracedGround, InTheSunIsADiffuseSurface) {
   EXPECT_NEAR(seen.over(0.5 / std::numbers::pi * std::sin(radians(30))), 1, 1e-3);
 }
 
+TEST_F(TracedGround, OfWaterIsADiffuseSurfaceAtItsLevel) {
+  Cloudscape sky = bare_ground(0.5);
+  sky.ground.kind = GroundKind::none;
+  sky.ground.water.level_m = 200, sky.ground.water.albedo = glm::dvec3(0.1);
+  sky.sun.elevation_deg = 30;
+  const Frame frame = traced(traced_beam(sky, {{0, 0, 1000}, 0, -90, 0}, 8, 64));
+  EXPECT_NEAR(measured(frame).over(0.166 / std::numbers::pi * std::sin(radians(30))), 1, 1e-3);
+  EXPECT_NEAR(depth_m(frame), 800, 1);
+}
+
 TEST_F(TracedGround, IsLitByTheWholeSky) {
   Cloudscape sky = bare_ground(0.3);
   sky.sun.irradiance = glm::dvec3(0);

@@ -34,6 +34,7 @@ int permutation(int index) { return current_permutation.at(static_cast<std::size
 #include "lib/stars.glsl"
 #include "lib/sun_disc.glsl"
 #include "lib/transport.glsl"
+#include "lib/water.glsl"
 #include "lib/worley.glsl"
 
 }  // namespace glsl

@@ -63,7 +63,7 @@ TEST_F(ClockedView, MovesAtTheTargetRateWhileTheClockRuns) {
       show(*work, 5);
       ++frames;
     }
-  EXPECT_NEAR(frames, 2000 / SchedulerOptions{}.target_frame_ms, 2);
+  EXPECT_NEAR(frames, 2000 / whole_frames().target_frame_ms, 2);
 }
 
 TEST_F(ClockedView, RestsAndIsRefinedOnceTheClockStands) {
