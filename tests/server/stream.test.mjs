@@ -221,14 +221,16 @@ test('what a stream kept is freed while another one flies', () => with_viewer(as
   const turning = setInterval(() => viewer.camera(++viewer.sequence, { azimuth_deg: viewer.sequence % 360 }), 20);
   const [all, largest] = ['cloudscape_history_bytes', 'cloudscape_history_largest_bytes'];
   try {
-    const one = await until(async () => await server.metric('cloudscape_streams_open') === 1 && await server.metric(all), 'its memory');
-    assert.equal(await server.metric(largest), one);
+    const most_per_pixel = 28;  // bytes; less for a moving picture that is kept at a lower resolution
+    const one = most_per_pixel * 64 * 36;
+    await until(async () => await server.metric('cloudscape_streams_open') === 1 && await server.metric(all) > 0, 'its memory');
+    assert.ok(await server.metric(all) <= one);
     await with_viewer(async other => {
-      other.hello({ cloudscape, size_px: [128, 72] });
-      await until(async () => await server.metric(all) === 5 * one, 'four times as much for a stream of four times the size');
-      assert.equal(await server.metric(largest), 4 * one);
+      other.hello({ cloudscape, size_px: [640, 360] });
+      await until(async () => await server.metric(largest) > 2 * one, 'the memory of the larger stream');
+      assert.ok(await server.metric(all) <= one + most_per_pixel * 640 * 360);
     });
-    await until(async () => await server.metric(all) === one, 'the memory of one stream');
+    await until(async () => await server.metric(all) <= one, 'the memory of one stream');
   } finally {
     clearInterval(turning);
   }
