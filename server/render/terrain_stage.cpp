@@ -38,8 +38,9 @@ bool TerrainStage::prepare(const FrameRequest& request, Land& land) {
 }
 
 bool TerrainStage::cast_shadows(const FrameRequest& request, Land& land) {
-  const std::string key =
-      bake::terrain_key(land.terrain->recipe()) + " " + std::to_string(light_azimuth_deg(*request.cloudscape));
+  const std::string key = bake::terrain_key(land.terrain->recipe()) + " " +
+                          std::to_string(light_azimuth_deg(*request.cloudscape)) + " " +
+                          std::to_string(request.cloudscape->ground.water.level_m.value_or(-1));
   auto found = std::ranges::find(shadows_, key, &Shadows::key);
   if (found == shadows_.end()) {
     if (shadows_.size() >= most_shadows) shadows_.pop_back();

@@ -57,7 +57,8 @@ TerrainBlock terrain_block(const FrameRequest& request, const bake::BakedTerrain
   block.cover = {terrain.snow_line_m, terrain.tree_line_m, std::tan(terrain.rock_slope_deg * radians_per_degree), 0};
   // tuned: twice the sun's radius hides that shadows are interpolated between lattice points.
   block.sun = {towards_sun.x, towards_sun.y, 2 * sun.angular_radius_deg * radians_per_degree, width.x};
-  block.rock = xyz_w(terrain.rock_albedo, 0);
+  const std::optional<double>& water_m = request.cloudscape->ground.water.level_m;
+  block.rock = xyz_w(terrain.rock_albedo, water_m ? *water_m - terrain.base_m : -1e9);
   block.snow = xyz_w(terrain.snow_albedo, 0);
   return block;
 }

@@ -30,7 +30,9 @@ PassOutput shade(ivec2 pixel) {
   float distance_m = land_m < no_hit_m ? land_m : (frame.ground.x == ground_plain ? planet_m : no_hit_m);
   Surface surface = Surface(vec3(0.0), vec3(0.0));
   if (land_m < no_hit_m) surface = terrain_surface_at(ray, land_m);
+#ifndef WITH_WATER  // which lies on the plain
   else if (distance_m < no_hit_m) surface = plain_surface(ray, distance_m);
+#endif
 #ifdef WITH_WATER
   float water_m = water_distance_m(ray);
   int wet = water_m < no_hit_m && water_m <= distance_m ? 1 : 0;

@@ -89,13 +89,16 @@ vec3 sunlight_at(Site site) {
   return irradiance * sun_share(site) * max(0.0, dot(site.normal, frame.light_direction.xyz));
 }
 
-Surface terrain_surface_at(CameraRay ray, float distance_m) {
-  Site site = site_at(ray, distance_m);
-  vec3 albedo = clamp(cover_at(site), 0.0, 1.0);
+Surface lit_land(Site site, vec3 albedo) {
   vec3 direct = albedo / pi * sunlight_at(site);
   vec3 around = albedo * sky_irradiance() * 0.5 + pi * ground_radiance() * 0.5;  // the slopes opposite
   vec3 diffuse = albedo / pi * mix(around, sky_irradiance() * (0.6 + 0.4 * site.normal.z), site.sky);
   return Surface(direct, diffuse);
+}
+
+Surface terrain_surface_at(CameraRay ray, float distance_m) {
+  Site site = site_at(ray, distance_m);
+  return lit_land(site, clamp(cover_at(site), 0.0, 1.0));
 }
 
 // Distance to the land or to the plain around it, m; no_hit_m where there is neither.

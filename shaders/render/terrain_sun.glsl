@@ -9,7 +9,7 @@ const float farthest_m = 300000.0;  // beyond it the planet hides every mountain
 
 PassOutput shade(ivec2 pixel) {
   vec2 origin = vec2(pixel);
-  float origin_m = lattice_point(pixel, 0).x;
+  float origin_m = max(lattice_point(pixel, 0).x, terrain.rock.w);  // or that of the water
   vec2 direction = lattice_direction(terrain.sun.xy);
   float end_m = farthest_m;
   if (terrain.size.z == 0) end_m = distance_to_exit(origin, vec2(0.0), float(terrain.size.x - 1), direction);

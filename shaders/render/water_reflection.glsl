@@ -38,10 +38,14 @@ vec4 clouds_over_water(vec3 place, vec3 direction, float sine, float spread) {
   return textureLod(water_clouds, vec2(0.5 + atan(to_m.x, to_m.y) / (2.0 * pi), v), level);
 }
 
-float land_altitude_m(vec2 place, float spacing_m) {
+int land_level(float spacing_m) {
+  return clamp(int(log2(max(spacing_m * terrain.lattice.x, 1.0))), 0, min(3, terrain.size.y));
+}
+vec2 land_point(vec2 place, int level) { return (terrain.lattice.zw + place * terrain.lattice.x) / float(1 << level); }
+
+float land_altitude_m(vec2 place, int level) {
   if (!on_the_map(place)) return terrain.altitude.x;
-  int level = clamp(int(log2(max(spacing_m * terrain.lattice.x, 1.0))), 0, min(3, terrain.size.y));
-  vec2 at = (terrain.lattice.zw + place * terrain.lattice.x) / float(1 << level);
+  vec2 at = land_point(place, level);
   return terrain.altitude.x + height_in_cell(cell_corners(ivec2(floor(at)), level), fract(at));
 }
 
@@ -64,7 +68,11 @@ LandAhead land_ahead(vec3 place, vec3 direction, float sine, float cosine, float
     float share = float(i) / float(land_steps);
     float t = reach_m * share * sqrt(share);
     vec3 p = place + direction * t;
-    float clear_m = altitude_of(p) - land_altitude_m(p.xy, 0.5 * (t - previous_m));
+    int level = land_level(0.5 * (t - previous_m));
+    float altitude_m = altitude_of(p);
+    float clear_m = altitude_m - terrain.altitude.x - lattice_point(ivec2(floor(land_point(p.xy, level))), level).y;
+    int near = clear_m < spread * t ? 1 : 0;  // the highest point of the cell
+    for (int k = 0; k < near; ++k) clear_m = altitude_m - land_altitude_m(p.xy, level);
     float angle = -clear_m / t;
     bool enters = clear_m < 0.0 && previous_clear_m >= 0.0 && highest < 0.0;
     if (enters) ahead.distance_m = mix(previous_m, t, previous_clear_m / (previous_clear_m - clear_m));
@@ -78,19 +86,49 @@ LandAhead land_ahead(vec3 place, vec3 direction, float sine, float cosine, float
   return ahead;
 }
 
-// Share of the sun's disc that clouds and land leave to a place on the water.
-float sun_over_water(vec3 place, float mu) {
-  float sine = max(mu, 0.0);
-  float share = clouds_over_water(place, frame.light_direction.xyz, sine, 0.0).w;
+// Share of the sun's disc above the land (its shadows fall on the water: render/terrain_sun.glsl).
+float sun_above_land(vec3 place, vec3 up) {
+  float share = 1.0;
   int land = frame.ground.x == 2.0 ? 1 : 0;
-  for (int i = 0; i < land; ++i) share *= 1.0 - land_ahead(place, frame.light_direction.xyz, sine, sine, terrain.sun.z).share;
+  for (int i = 0; i < land; ++i) {
+    Site site;
+    site.position = place, site.up = up;
+    site.uv = (terrain.lattice.zw + place.xy * terrain.lattice.x + 0.5) / float(terrain.size.x);
+    share = sun_share(site);
+  }
   return share;
 }
 
-// `behind`: radiance of the sky there, of which the air before the land has its part. `distance_m`: from the camera to the water, so that the
-// land is as sharp as the picture.
+// As site_at and cover_at have it, without stones, fields and grain, which waves would blur: they are most of the cost.
+Site mirrored_site(vec3 position, float width_m) {
+  Site site;
+  site.position = position, site.width_m = width_m, site.grain = 0.0;
+  site.altitude_m = altitude_of(position);
+  site.up = normalize(vec3(position.xy / planet_radius_m, 1.0));
+  site.uv = (terrain.lattice.zw + position.xy * terrain.lattice.x + 0.5) / float(terrain.size.x);
+  vec4 land = textureLod(terrain_surface, site.uv, log2(max(1.0, 1.5 * width_m * terrain.lattice.x)));
+  if (!on_the_map(position.xy)) land = vec4(0.0, 0.0, 1.0, 0.0);
+  site.sky = land.z, site.stands_out = land.w, site.steepness = length(land.xy);
+  site.normal = normalize(vec3(site.up.xy - land.xy, 1.0));
+  return site;
+}
+
+vec3 mirrored_cover(Site site) {
+  float high = site.altitude_m - terrain.cover.x;
+  float tree_line_m = terrain.cover.y + 250.0 * site.stands_out;
+  vec3 heath = vec3(0.6, 0.5, 0.4) * (terrain.rock.xyz + 0.6 * frame.ground_albedo.xyz);
+  vec3 soil = mix(frame.ground_albedo.xyz, heath, smoothstep(tree_line_m - 250.0, tree_line_m + 350.0, site.altitude_m));
+  vec3 rock = terrain.rock.xyz * (1.0 + 0.3 * site.stands_out);
+  float snow = smoothstep(-350.0, 350.0, high - 300.0 * site.stands_out);
+  snow *= 1.0 - smoothstep(1.25 * terrain.cover.z, 1.9 * terrain.cover.z, site.steepness - 0.0003 * high);
+  vec3 ground = mix(soil, rock, smoothstep(0.8 * terrain.cover.z, 1.15 * terrain.cover.z, site.steepness));
+  return clamp(mix(ground, terrain.snow.xyz, snow), 0.0, 1.0);
+}
+
+// `behind`: radiance of the sky there, of which the air before the land has its part. `distance_m`: from the camera to the water.
 vec3 land_over_water(vec3 place, vec3 direction, float land_m, float distance_m, vec3 behind) {
-  Surface land = terrain_surface_at(CameraRay(place - direction * distance_m, direction, 1.0), distance_m + land_m);
+  Site site = mirrored_site(place + direction * land_m, pixel_width_m(distance_m + land_m));
+  Surface land = lit_land(site, mirrored_cover(site));
   vec3 through = sky_kind() == sky_clear ? exp(-air_at(water.surface.x, frame_atmosphere()).extinction * land_m) : vec3(1.0);
   return mix(behind, land.direct + land.diffuse, through);
 }

@@ -7,7 +7,8 @@
    size: points a side, coarsest level, tiling?, 0. box: west, south, east, north edge (m) of a single map.
    altitude: base, highest, lowest (m), width of a pixel for each metre of distance. cover: snow line, tree line (m), tangent of
    the slope from which rock is bare, 0. sun: unit vector towards its azimuth (east, north), half the width of a shadow's edge
-   (radians), width of a pixel of parallel rays (m). rock, snow: albedo. */
+   (radians), width of a pixel of parallel rays (m). rock, snow: albedo; of rock w: water's
+   height above the base (m; below all land: there is none). */
 #define TERRAIN_FIELDS(F) \
   F(vec4, lattice) \
   F(ivec4, size) \

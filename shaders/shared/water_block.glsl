@@ -3,8 +3,8 @@
 #define SHARED_WATER_BLOCK
 #include "shared/block.glsl"
 
-/* surface: altitude (m), mean square slope of what is in no train, of four trains, 1 / clarity (1/m).
-   body: albedo, 0. view: width of a pixel of parallel rays (m), for each metre of distance; length of the longest wave, and of the longest of waves_c (m).
+/* surface: altitude (m), mean square slope of what is in no train, 0, 1 / clarity (1/m).
+   body: albedo, greatest slope of a train. view: width of a pixel of parallel rays (m), for each metre of distance, 0, 0.
    clouds: where the panorama of clouds was taken (east, north, m), altitude of the clouds above the water (m), its coarsest level (-1: there is none).
    waves_a to waves_f: from the longest to the shortest, four trains each (lib/water.glsl). */
 #define WATER_FIELDS(F) \
