@@ -2,11 +2,13 @@
 #include <cstdio>
 
 #include "app/bench.h"
+#include "app/bench_flight.h"
 #include "app/gpu_stack.h"
 #include "bench/frame_times.h"
 #include "core/log.h"
 #include "settings/cloudscape_json.h"
 #include "settings/text_file.h"
+#include "stream/moving_frame.h"
 
 namespace cloudscape::app {
 namespace {
@@ -29,13 +31,7 @@ constexpr Variant variants[] = {{"interactive", Quality::interactive, 1},
                                 {"standard", Quality::standard, 1}};
 
 FrameRequest request_of(const std::shared_ptr<const Cloudscape>& cloudscape, ImageSize size, const Variant& variant) {
-  FrameRequest request;
-  request.cloudscape = cloudscape;
-  request.pose = cloudscape->view.pose;
-  request.lens = cloudscape->view.lens;
-  request.display = cloudscape->view.display;
-  request.march = cloudscape->view.march;
-  request.size_px = size;
+  FrameRequest request = stream::request_of(view_of(cloudscape, size), 0, 0);
   request.quality = render_quality(variant.quality);
   request.quality.samples = 1;
   request.quality.march_divisor = variant.march_divisor;

@@ -73,6 +73,7 @@ std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
     job->sample = job->last_sample = marched_sample(job->resolved->plan, job->resolved->frame);
     return job;
   }
+  resolver_.outdate(request);
   const History& history = history_of(request);
   job->sample = request.first_sample == history.samples ? request.first_sample : 0;
   job->last_sample = job->sample + std::max(1, request.quality.samples) - 1;
@@ -270,11 +271,9 @@ PendingFrame Renderer::finish_resolved(std::unique_ptr<RenderJob> job) {
   const auto start = Clock::now();
   frame_block_.upload(frame_block(job->resolved->asked, 0));
   frame_block_.bind();
-  resolver_.present(*job->resolved, passes_.bloom());
   PendingFrame pending;
   pending.samples = 1;
-  pending.shown = job->resolved->display;
-  pending.display = gpu::Readback(*pending.shown);
+  pending.display = gpu::Readback(resolver_.present(*job->resolved, passes_.bloom()));
   context_.flush();
   pending.request = std::move(job->resolved->asked);
   pending.timings.render_ms = job->render_ms + ms_since(start);

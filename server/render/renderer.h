@@ -47,7 +47,6 @@ struct PendingFrame {
   FrameTimings timings;
   gpu::Readback display, radiance, depth, standard_error;
   gpu::Timer timer;
-  std::shared_ptr<gpu::Texture> shown;  // is read back
   bool ready() const;
 };
 

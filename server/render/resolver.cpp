@@ -25,11 +25,11 @@ Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
 
 ResolvedFrame Resolver::begin(const FrameRequest& asked) const {
   const auto found = pictures_.find(asked.stream);
-  return {asked, resolve_plan(asked), found == pictures_.end() ? 0 : found->second.frames, nullptr};
+  return {asked, resolve_plan(asked), found == pictures_.end() ? 0 : found->second.frames};
 }
 
 Resolver::Shared& Resolver::shared_of(ImageSize kept, ImageSize marched) {
-  constexpr std::size_t most_sizes = 8;  // tuned: sizes that alternate without being made anew each time
+  constexpr std::size_t most_sizes = 4;  // tuned: sizes that alternate without being made anew each time
   if (shared_.size() > most_sizes) shared_.clear();
   Shared& shared = shared_[{kept.width, kept.height}];
   if (!shared.spare) shared.spare = picture_texture(kept, "spare picture");
@@ -46,15 +46,16 @@ void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched) 
   Picture& picture = pictures_[frame.asked.stream];
   const KeptView now = kept_view(frame.asked, plan);
   const bool before = static_cast<bool>(picture.radiance);
-  block_.upload(resolve_block(plan, frame.frame, now, before ? std::optional(picture.view) : std::nullopt));
+  picture.block = resolve_block(plan, frame.frame, now, before ? std::optional(picture.view) : std::nullopt);
+  block_.upload(picture.block);
   block_.bind();
   const Texture* range[] = {&shared.least, &shared.greatest};
   const Binding seen[] = {{0, &marched.radiance}, {1, &marched.depth}};
   range_.run(whole(plan.marched), range, seen);
   const Binding textures[] = {{0, &marched.radiance},
-                              {2, &shared.least},
-                              {3, &shared.greatest},
-                              {4, before ? &picture.radiance : &marched.radiance}};
+                              {1, &shared.least},
+                              {2, &shared.greatest},
+                              {3, before ? &picture.radiance : &marched.radiance}};
   const Texture* output[] = {&shared.spare};
   resolve_.run(whole(plan.kept), output, textures);
   std::swap(picture.radiance, shared.spare);
@@ -73,18 +74,26 @@ const Texture* Resolver::glow(const ResolvedFrame& frame, const Bloom& bloom, co
   return &bloom.glow(*chain, radiance);
 }
 
-void Resolver::present(ResolvedFrame& frame, const Bloom& bloom) {
+const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom) {
   const Picture& picture = pictures_.at(frame.asked.stream);
-  frame.display =
-      std::make_shared<Texture>(Format::rgba8, frame.plan.shown.width, frame.plan.shown.height, "shown picture");
+  const ImageSize size = frame.plan.shown;
+  if (!display_ || display_.width() != size.width || display_.height() != size.height)
+    display_ = Texture(Format::rgba8, size.width, size.height, "shown picture");
   const Texture* glows = glow(frame, bloom, picture.radiance);
+  block_.upload(picture.block);  // other streams' frames may have come in between
   block_.bind();
-  const Texture* output[] = {frame.display.get()};
+  const Texture* output[] = {&display_};
   const Binding plain[] = {{0, &picture.radiance}}, glowing[] = {{0, &picture.radiance}, {1, glows}};
   if (glows)
     present_bloom_.run(whole(frame.plan.shown), output, glowing);
   else
     present_.run(whole(frame.plan.shown), output, plain);
+  return display_;
+}
+
+void Resolver::outdate(const FrameRequest& shown) {
+  const auto found = pictures_.find(shown.stream);
+  if (found != pictures_.end() && found->second.view.pose != shown.pose) pictures_.erase(found);
 }
 
 std::vector<StreamId> Resolver::remembered() const {

@@ -16,7 +16,6 @@ struct ResolvedFrame {
   FrameRequest asked;
   ResolvePlan plan;
   std::uint64_t frame = 0;  // of the stream's moving picture
-  std::shared_ptr<gpu::Texture> display;
 };
 
 class Resolver {
@@ -26,8 +25,10 @@ class Resolver {
   // Continues the stream's picture with what was marched into `marched` (radiance and distance of what is seen). The
   // frame block of the marched request must be bound.
   void resolve(const ResolvedFrame& frame, const Accumulation& marched);
-  // The stream's picture as it is displayed, into frame.display. The frame block must be bound.
-  void present(ResolvedFrame& frame, const Bloom& bloom);
+  // The stream's picture as it is displayed; until the next one is. The frame block must be bound.
+  const gpu::Texture& present(const ResolvedFrame& frame, const Bloom& bloom);
+  // Drops the stream's picture if it is not of this view: another frame, which did not continue it, has shown that.
+  void outdate(const FrameRequest& shown);
   void forget(StreamId stream) { pictures_.erase(stream); }
   std::vector<StreamId> remembered() const;
   std::size_t bytes_of(StreamId stream) const;
@@ -39,6 +40,7 @@ class Resolver {
     gpu::Texture radiance;
     KeptView view;
     std::uint64_t frames = 0;
+    ResolveBlock block;  // of its last frame
   };
   struct Shared {  // by the streams of a size: nothing in it outlives a frame
     gpu::Texture least, greatest, spare;
@@ -51,6 +53,7 @@ class Resolver {
   gpu::UniformBlock<ResolveBlock> block_;
   std::map<StreamId, Picture> pictures_;
   std::map<std::pair<int, int>, Shared> shared_;
+  gpu::Texture display_;
 };
 
 }  // namespace cloudscape::render

@@ -5,9 +5,9 @@
 #include "shared/resolve_block.glsl"
 #include "lib/reprojection.glsl"
 layout(binding = 0) uniform sampler2D marched_radiance;
-layout(binding = 2) uniform sampler2D least_radiance;
-layout(binding = 3) uniform sampler2D greatest_radiance;
-layout(binding = 4) uniform sampler2D kept_before;
+layout(binding = 1) uniform sampler2D least_radiance;
+layout(binding = 2) uniform sampler2D greatest_radiance;
+layout(binding = 3) uniform sampler2D kept_before;
 
 const float most_samples = 64.0;
 

@@ -1,4 +1,4 @@
-// How a moving picture continues the one before it (server/render fills it). Binding 8.
+// How a moving picture continues the one before it (server/render fills it). Binding 9.
 #ifndef SHARED_RESOLVE_BLOCK
 #define SHARED_RESOLVE_BLOCK
 #include "shared/block.glsl"
@@ -20,5 +20,5 @@
   F(vec4, moved) \
   F(vec4, drift) \
   F(vec4, trust)
-DECLARE_BLOCK(ResolveBlock, resolve, 8, RESOLVE_FIELDS)
+DECLARE_BLOCK(ResolveBlock, resolve, 9, RESOLVE_FIELDS)
 #endif

@@ -149,6 +149,20 @@ TEST_F(Resolver, other_skies_and_other_suns_leave_no_ghost) {
   EXPECT_LT(difference(changed, render(whole(request, 32))), 6);
 }
 
+// A picture that was kept before the stream showed another view, marched whole, is not continued.
+TEST_F(Resolver, picture_of_an_earlier_view_is_dropped) {
+  FrameRequest request = moving(4, 1, next_stream());
+  renderer().render(request);
+  FrameRequest other = whole(request, 1);
+  other.stream = request.stream;
+  renderer().render(other);
+  const std::size_t both = renderer().history_bytes(request.stream);
+  other.pose.azimuth_deg += 40;
+  renderer().render(other);
+  EXPECT_EQ(both - renderer().history_bytes(request.stream), 192u * 108u * 8u);
+  renderer().forget(request.stream);
+}
+
 // Its average may not stay on the device for streams that have gone.
 TEST_F(Resolver, forgets_streams) {
   const std::size_t before = renderer().history_bytes();

@@ -28,6 +28,7 @@ int permutation(int index) { return current_permutation.at(static_cast<std::size
 #include "lib/perlin.glsl"
 #include "lib/phase.glsl"
 #include "lib/relief.glsl"
+#include "lib/reprojection.glsl"
 #include "lib/sampling.glsl"
 #include "lib/shape.glsl"
 #include "lib/sky_mapping.glsl"
