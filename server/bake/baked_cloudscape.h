@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bake/distance_plan.h"
 #include "bake/recipe.h"
 #include "gpu/texture.h"
 
@@ -62,13 +63,16 @@ class BakedCloudscape {
 
  private:
   friend class StructureBuilder;
+  friend class DistanceFieldBuilder;
   gpu::Texture shape_, detail_, variation_;
   BakedTexels texels_;
   mutable std::array<double, 3> weights_{};
   mutable Extent extent_;
   glm::ivec3 structure_size_{1};
   Slopes steepest_variation_;
-  mutable std::list<std::pair<std::array<double, 3>, gpu::Texture>> structures_;  // most recently used first
+  // Most recently used first:
+  mutable std::list<std::pair<std::array<double, 3>, gpu::Texture>> structures_;
+  mutable std::list<std::pair<DistancePlan, gpu::Texture>> distance_fields_;
 };
 
 struct HeightRange {

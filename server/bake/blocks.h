@@ -10,6 +10,7 @@
 namespace cloudscape::bake {
 using glm::ivec4, glm::uvec4, glm::vec4;
 #include "shared/bake_block.glsl"
+#include "shared/distance_block.glsl"
 #include "shared/structure_block.glsl"
 #include "shared/terrain_bake_block.glsl"
 }  // namespace cloudscape::bake

@@ -6,8 +6,10 @@
 
 namespace cloudscape {
 
-// Olajos 2.4.2 and 2.5. What is left to the quality (null) grows with the distance to the camera.
+// UHawk, "Rendering volumetric clouds using signed distance fields"; Olajos 2.4.2 and 2.5. What is left to the quality
+// (null) grows with the distance to the camera.
 struct March {
+  bool distance_field = true;
   bool structure = true;
   bool random_first_step = true;
   bool adaptive_step = false;
@@ -23,9 +25,13 @@ struct March {
   bool operator==(const March&) const = default;
 
   static void fields(auto& self, auto&& visit) {
+    visit(
+        "distance_field", self.distance_field, Limits{},
+        "Steps through clear air as long as a field of the distances to the nearest cloud allows (UHawk); false: those "
+        "of `structure`.");
     visit("structure", self.structure, Limits{},
           "Large steps through the air that the low-resolution structure about the clouds leaves free (Olajos 2.4.2); "
-          "false: small steps everywhere.");
+          "false: small steps everywhere. Where there is no distance_field.");
     visit("random_first_step", self.random_first_step, Limits{},
           "The first step has a random length, so that steps that are too long show as noise and not as bands.");
     visit("adaptive_step", self.adaptive_step, Limits{},

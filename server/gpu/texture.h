@@ -8,7 +8,7 @@
 
 namespace cloudscape::gpu {
 
-enum class Format { rgba8, r8, r16f, rgba16f, rgba32f, r32f, rg32f };
+enum class Format { rgba8, r8, r16f, rg16f, rgba16f, rgba32f, r32f, rg32f };
 int bytes_per_texel(Format format);
 const char* name_of(Format format);           // as GLSL has it: "rgba16f"
 Format format_from(const std::string& name);  // throws InvalidInput

@@ -24,6 +24,9 @@ glm::dvec2 pixel_widths(const FrameRequest& request);
 // Unit vector from azimuth and elevation, degrees.
 glm::dvec3 direction_of(double azimuth_deg, double elevation_deg);
 
+// Whether density comes from a texture and not from a formula.
+constexpr bool is_textured(VolumeKind kind) { return kind == VolumeKind::noise || is_from_file(kind); }
+
 // What the march mixes the shape texture's finer channels in with.
 std::array<double, 3> mixing_weights(const Cloudscape& sky);
 
@@ -50,6 +53,7 @@ double light_azimuth_deg(const Cloudscape& sky);       // of that or of the sun
 void set_lights(FrameBlock& block, const FrameRequest& request);
 // Of a document as it is marched.
 InScatterPlan in_scatter_plan_of(const Cloudscape& marched, const bake::BakedCloudscape& baked);
+bake::DistancePlan distance_plan_of(const Cloudscape& marched, const bake::BakedCloudscape& baked);
 CloudBlock cloud_block(const FrameRequest& request, const bake::BakedCloudscape& baked);
 // How far east and north the clouds have drifted, m; formulas stand still.
 glm::dvec2 drift_of_clouds(const FrameRequest& request);

@@ -132,10 +132,23 @@ double light_length_m(const Volume& volume, const March& march) {
 // nearer worse. Formulas need no samples.
 double marched_light_m(const Cloudscape& sky, const March& march) {
   const double length_m = light_length_m(sky.volume, march);
-  const bool textured = sky.volume.kind == VolumeKind::noise || is_from_file(sky.volume.kind);
+  const bool textured = is_textured(sky.volume.kind);
   const LightModel& light = sky.medium.light_model;
   if (!textured || light.kind != LightModelKind::in_scatter_volume) return length_m;
   return std::min(length_m, 6 * std::max(sky.volume.size_m.x, sky.volume.size_m.y) / light.volume_resolution);
+}
+
+// A way in the world is at most so much longer in the tile: by the clouds' lean, the land's shift and the layer's bend.
+double stretch_in_tile(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
+  constexpr double bend = 1.01;  // of the planet's curve over what a march sees: 60 km of 6371
+  const double tile_m = std::max(sky.volume.size_m.x, sky.volume.size_m.y);
+  return bend * (lean_stretch(sky) + land_slopes(sky, baked).shift_per_m * tile_m);
+}
+
+void set_distance(CloudBlock& block, const FrameRequest& request, const bake::BakedCloudscape& baked) {
+  const bake::DistancePlan plan = distance_plan_of(*request.cloudscape, baked);
+  block.distance = {1 / stretch_in_tile(*request.cloudscape, baked), plan.lowest_threshold, 1 / plan.between_levels,
+                    plan.levels};
 }
 
 // A grid may be smaller than the quality's steps, and far away: half of the steps take a ray through it from corner to
@@ -151,7 +164,7 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
   const Cloudscape& sky = *request.cloudscape;
   const March& march = request.march;
   const RenderQuality& quality = request.quality;
-  const bool textured = sky.volume.kind == VolumeKind::noise || is_from_file(sky.volume.kind);
+  const bool textured = is_textured(sky.volume.kind);
   const bool endless = sky.volume.kind == VolumeKind::noise || (textured && sky.volume.grid.tiling);
   const MarchSteps steps = march_steps(march, quality);
   const double longest_m = longest_step_m(sky.volume, march, steps.view, baked);
@@ -178,7 +191,7 @@ void set_march(CloudBlock& block, const FrameRequest& request, const bake::Baked
 
 glm::dvec2 drift_of_clouds(const FrameRequest& request) {
   const VolumeKind kind = request.cloudscape->volume.kind;
-  return kind == VolumeKind::noise || is_from_file(kind) ? wind_drift(request) : glm::dvec2(0);
+  return is_textured(kind) ? wind_drift(request) : glm::dvec2(0);
 }
 
 // A shape of one channel is mixed when it is baked, or comes from a file; the channels that it has not read as 0, 0
@@ -199,9 +212,19 @@ LandSlopes land_slopes(const Cloudscape& sky, const bake::BakedCloudscape& baked
           across * 2 * swing_of(slow) * steepest.threshold / period_m};
 }
 
+bake::DistancePlan distance_plan_of(const Cloudscape& marched, const bake::BakedCloudscape& baked) {
+  const double threshold = threshold_of(marched, baked), swing = swing_of(marched.shape.coverage_variation);
+  bake::DistancePlan plan = bake::distance_plan(threshold - swing, threshold + swing);
+  plan.weights = mixing_weights(marched);
+  plan.size_m = marched.volume.size_m;
+  plan.jumps = is_from_file(marched.volume.kind) && marched.volume.grid.interpolation == VoxelInterpolation::nearest;
+  plan.threshold_fall_per_m = land_slopes(marched, baked).threshold_per_m / lean_stretch(marched);
+  return plan;
+}
+
 InScatterPlan in_scatter_plan_of(const Cloudscape& marched, const bake::BakedCloudscape& baked) {
   const VolumeKind kind = marched.volume.kind;
-  if (kind != VolumeKind::noise && !is_from_file(kind)) return in_scatter_plan(marched, 0, 1, 0, 0);
+  if (!is_textured(kind)) return in_scatter_plan(marched, 0, 1, 0, 0);
   const glm::dvec2 altitudes_m = cloud_altitudes_m(marched, baked);
   const Volume& volume = marched.volume;
   return in_scatter_plan(marched, (altitudes_m.x - volume.origin_m.z) / volume.size_m.z,
@@ -230,6 +253,7 @@ CloudBlock cloud_block(const FrameRequest& asked, const bake::BakedCloudscape& b
                  static_cast<int>(medium.light_model.kind)};
   set_light_model(block, medium.light_model);
   set_march(block, request, baked);
+  if (is_textured(volume.kind) && request.march.distance_field) set_distance(block, request, baked);
   set_in_scatter(block, in_scatter_plan_of(sky, baked));
   return block;
 }

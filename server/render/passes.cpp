@@ -26,6 +26,13 @@ const ScreenPass& Passes::scene_with_water(bool float32) const {
   return *pass;
 }
 
+const ScreenPass& Passes::march_by_structure(bool float32) const {
+  auto& pass = marches_by_structure_[float32 ? 1 : 0];
+  const Format radiance = float32 ? Format::rgba32f : Format::rgba16f;
+  if (!pass) pass.emplace(context_, shaders_, "render/march_structure.glsl", std::vector{radiance, Format::rg32f});
+  return *pass;
+}
+
 void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin,
                    int row_end) const {
   const Precision& precision = targets.float32 ? full_ : half_;
@@ -35,7 +42,7 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
                                 {1, &medium.baked.detail()},
                                 {2, &medium.baked.variation()},
                                 {3, &targets.scene_depth},
-                                {4, &medium.structure},
+                                {4, &medium.nearness},
                                 tables[0],
                                 tables[1],
                                 tables[2],
@@ -51,7 +58,8 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   const int scene_end = std::min(row_end * divisor, targets.size.height);
   const ScreenPass& scene_pass = medium.water ? scene_with_water(targets.float32) : precision.scene;
   scene_pass.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
-  precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
+  const ScreenPass& march_pass = medium.distances ? precision.march : march_by_structure(targets.float32);
+  march_pass.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
 }
 
 void Passes::composite(const Targets& targets, const Accumulation& previous) const {
@@ -79,8 +87,9 @@ void Passes::reload(gpu::ShaderLibrary& shaders) {
   for (ScreenPass* pass :
        {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_, &tone_map_, &tone_map_bloom_})
     pass->reload(shaders);
-  for (auto& pass : scenes_with_water_)
-    if (pass) pass->reload(shaders);
+  for (auto* passes : {&scenes_with_water_, &marches_by_structure_})
+    for (auto& pass : *passes)
+      if (pass) pass->reload(shaders);
   bloom_.reload(shaders);
 }
 

@@ -19,7 +19,8 @@ class Passes {
   // Rows of the march target: the scene behind them, then the clouds. The blocks must be bound.
   struct Medium {
     const bake::BakedCloudscape& baked;
-    const gpu::Texture& structure;
+    const gpu::Texture& nearness;         // the distance field, or the structure
+    bool distances = true;                // which of them
     std::span<const gpu::Binding> land;   // textures of the scene's terrain and water
     const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
     const InScatterVolume* in_scatter = nullptr;
@@ -35,13 +36,15 @@ class Passes {
 
  private:
   const gpu::ScreenPass& scene_with_water(bool float32) const;
+  const gpu::ScreenPass& march_by_structure(bool float32) const;
   struct Precision {  // HDR targets of 16 or 32 bits
     gpu::ScreenPass scene, march;
   };
   Precision half_, full_;
   const gpu::Context& context_;
   gpu::ShaderLibrary& shaders_;
-  mutable std::array<std::optional<gpu::ScreenPass>, 2> scenes_with_water_;  // of 16 and 32 bits; once they are wanted
+  // Of 16 and 32 bits; once they are wanted.
+  mutable std::array<std::optional<gpu::ScreenPass>, 2> scenes_with_water_, marches_by_structure_;
   gpu::ScreenPass smooth_, composite_, tone_map_, tone_map_bloom_;
   Bloom bloom_;
 };

@@ -46,6 +46,7 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
       shaders_(shaders),
       bakes_(bakes),
       structures_(shaders),
+      distances_(shaders, context.device().software ? 64 : 128),
       passes_(context, shaders),
       sky_(context, shaders),
       in_scatter_(shaders, bake::LightCache(bakes.files())),
@@ -132,8 +133,13 @@ bool Renderer::find_in_scatter(RenderJob& job) {
 
 // The clouds without land and water.
 Passes::Medium Renderer::medium_of(const RenderJob& job) {
-  const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
-  return {*job.baked, structure, {}, job.phase ? &job.phase->texture : nullptr, job.in_scatter.get()};
+  const std::shared_ptr<const Cloudscape> marched = as_marched(job.request, *job.baked).cloudscape;
+  const bool distances = job.request.march.distance_field;
+  const gpu::Texture* nearness = &job.baked->shape();  // formulas have none
+  if (is_textured(marched->volume.kind))
+    nearness = distances ? &distances_.of(*job.baked, distance_plan_of(*marched, *job.baked))
+                         : &structures_.of(*job.baked, mixing_weights(*marched));
+  return {*job.baked, *nearness, distances, {}, job.phase ? &job.phase->texture : nullptr, job.in_scatter.get()};
 }
 
 // What water reflects.

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 
+#include "bake/distance_field.h"
 #include "bake/store.h"
 #include "bake/structure.h"
 #include "core/frame.h"
@@ -94,6 +95,7 @@ class Renderer {
   gpu::ShaderLibrary& shaders_;
   bake::BakeStore& bakes_;
   bake::StructureBuilder structures_;
+  bake::DistanceFieldBuilder distances_;
   Passes passes_;
   SkyTables sky_;
   InScatterVolumes in_scatter_;

@@ -10,11 +10,11 @@ void main() {
   ivec3 cells = structure_values.size.xyz;
   if (cell.x >= cells.x || cell.y >= cells.y || cell.z >= cells.z) return;
   float greatest = 0.0;
-  for (int i = 0; i < 27; ++i) {
-    ivec3 near = cell + ivec3(i % 3, (i / 3) % 3, i / 9) - 1;
-    near.xy = (near.xy + cells.xy) % cells.xy;
-    if (near.z < 0 || near.z >= cells.z) continue;
-    greatest = max(greatest, texelFetch(unpadded, near, 0).x);
-  }
+  ivec2 before = cell.xy - 1 + cells.xy * ivec2(equal(cell.xy, ivec2(0)));
+  ivec2 after = cell.xy + 1 - cells.xy * ivec2(equal(cell.xy, cells.xy - 1));
+  ivec3 x = ivec3(before.x, cell.x, after.x), y = ivec3(before.y, cell.y, after.y);
+  for (int z = max(cell.z - 1, 0); z <= min(cell.z + 1, cells.z - 1); ++z)
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) greatest = max(greatest, texelFetch(unpadded, ivec3(x[i], y[j], z), 0).x);
   imageStore(target, cell, vec4(greatest, texelFetch(unpadded, cell, 0).x, 0.0, 0.0));
 }

@@ -2,6 +2,7 @@
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/density_block.glsl"
 #include "render/density_in_box.glsl"
+#include "render/structure.glsl"
 layout(binding = 0, r32f) uniform writeonly image3D target;
 
 // Whether there can be density in a voxel: outside the structure none is within half a large step.

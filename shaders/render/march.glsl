@@ -4,6 +4,12 @@
 #include "render/camera.glsl"
 #include "render/cloud_light.glsl"
 #include "lib/hash.glsl"
+#include "render/walk.glsl"
+#ifdef THESIS_STRUCTURE
+#include "render/walk_structure.glsl"
+#else
+#include "render/walk_distance.glsl"
+#endif
 layout(binding = 3) uniform sampler2D scene_depth;
 
 const float golden_ratio = 0.61803398875;
@@ -26,12 +32,6 @@ float step_jitter(ivec2 pixel) {
 float light_jitter(ivec2 pixel) {
   if (cloud.adaptive.z == 0.0) return 0.5;
   return fract(interleaved_gradient_noise(vec2(pixel) + vec2(31.0, 57.0)) + 0.7548776662 * float(frame.sample_info.x));
-}
-
-// Length of the small step at a distance from the camera: what the quality asks for, and what the adaptive step adds (Olajos 2.4.2).
-float small_step_m(float distance_m) {
-  float step_m = max(cloud.steps.x, cloud.steps.y * distance_m) + cloud.adaptive.y * max(0.0, distance_m - cloud.adaptive.x);
-  return min(step_m, cloud.volume.x);
 }
 
 struct Sample {
@@ -65,55 +65,11 @@ March march_analytic(CameraRay ray, RayLight light, Stretch path, float jitter, 
   return march;
 }
 
-float beyond_gap(float t, Stretch path) { return t > path.gap_begin && t < path.gap_end ? path.gap_end : t; }
-
-// Where a ray is on its way through the layer.
-struct Walk {
-  float t;        // of the next sample, m
-  float outside;  // the last point outside the structure, m; < 0: none since the small steps began
-  float steps;
-  float value;  // shape noise above the threshold at t; above 0: in cloud
-  Land land;    // there
-};
-
-// Goes on to the next sample in cloud, or to the path's end. The preprocessed structure of Olajos 2.4.2: large steps outside it;
-// one large step back where it begins, and on by what the padding is known to leave free; then as far as its outer layer leaves
-// free, and small steps near cloud. It is asked at every step: that costs a quarter of what a sample of the shape does. One loop for
-// all kinds of step: a software rasterizer goes through a loop for all of its lanes until the last is done.
-//
-// `jitter`: the first step as a share of a whole one. Small steps are longer far out than where the ray began, and there begin by
-// that share of the longer one: by less, the structure's cells would be seen as ribs.
-Walk walk_to_cloud(CameraRay ray, Stretch path, float jitter, Walk walk) {
-  float first_m = small_step_m(path.begin);
-  float large_m = cloud.structure.x;
-  float last = path.end - min(1.0, 0.5 * small_step_m(path.end));  // where the structure is asked for the last time
-  walk.value = 0.0;
-  for (; walk.steps < cloud.steps.z && walk.t < path.end; ++walk.steps) {
-    vec3 p = ray.origin + ray.direction * walk.t;
-    float small_m = small_step_m(walk.t);
-    walk.land = land_at(p);
-    int place = large_m > small_m ? place_in_structure(p, walk.land) : near_cloud;
-    float next = beyond_gap(walk.t + (place == in_outer_padding ? max(cloud.structure.w, small_m) : small_m), path);
-    if (place == outside_structure) {
-      walk.outside = walk.t;
-      next = beyond_gap(walk.t < last ? min(walk.t + large_m, last) : path.end, path);
-    } else if (walk.outside >= 0.0) {
-      next = walk.outside + cloud.structure.z + jitter * (small_step_m(walk.outside) - first_m);
-      walk.outside = -1.0;
-    } else if (place == near_cloud) {
-      walk.value = shape_above_threshold(p, walk.land);
-      if (walk.value > 0.0) break;
-    }
-    walk.t = next;
-  }
-  return walk;
-}
-
 March march_layer(CameraRay ray, RayLight light, Stretch path, vec2 jitter, float stop_transmittance) {
   March march = March(vec3(0.0), 1.0, 0.0, 0.0);
   float begin = path.begin + jitter.x * small_step_m(path.begin);
   path.gap_end += jitter.x * small_step_m(path.gap_end);
-  Walk walk = Walk(begin, -1.0, 0.0, 0.0, Land(0.0, vec2(0.0)));
+  Walk walk = begin_walk(begin);
   float lit = 0.0;
   while (walk.steps < cloud.steps.z && walk.t < path.end && march.transmittance >= stop_transmittance) {
     // The loops stand one in the other so that each sample costs no more than it must: look for shape noise, then erode it, and

@@ -6,7 +6,6 @@
 layout(binding = 0) uniform sampler3D shape_texture;
 layout(binding = 1) uniform sampler3D detail_texture;
 layout(binding = 2) uniform sampler2D variation_texture;
-layout(binding = 4) uniform sampler3D structure_texture;
 
 const int volume_noise = 0;
 const int volume_sphere = 1;
@@ -59,18 +58,7 @@ Land land_at(vec3 p) {
   return Land(cloud.shape.x + cloud.shape.z * (slow.x - 0.5), cloud.shape.w * (slow.yz - 0.5));
 }
 
-// How far outside the structure a point is (Olajos 2.4.2): outside all of its padding, which is wider than half a large step, so that no
-// cloud stands between two such points that are a large step apart; within the outer layer of it only; or near cloud.
-const int near_cloud = 0;
-const int in_outer_padding = 1;
-const int outside_structure = 2;
-
-int place_in_structure(vec3 p, Land land) {
-  vec2 tile = tile_at(p);
-  vec2 bound = textureLod(structure_texture, vec3(tile + land.shift, clamp(height_in_layer(p), 0.0, 1.0)), 0.0).xy;
-  float lowest = land.threshold - cloud.structure.y;
-  return bound.x <= lowest ? outside_structure : bound.y <= lowest ? in_outer_padding : near_cloud;
-}
+const float outside_volume = -1.0;  // as a value of the shape: lower than any inside
 
 // Shape noise above the threshold; not above 0: no cloud. What erosion takes off it comes after.
 float shape_above_threshold(vec3 p, Land land) {
@@ -79,7 +67,7 @@ float shape_above_threshold(vec3 p, Land land) {
   vec4 noise = textureLod(shape_texture, vec3(tile + land.shift, h), 0.0);
   float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5)) - land.threshold;
   bool beside = cloud.box_low.w == 0.0 && (tile.x < 0.0 || tile.x > 1.0 || tile.y < 0.0 || tile.y > 1.0);
-  return h <= 0.0 || h >= 1.0 || beside ? -1.0 : value;
+  return h <= 0.0 || h >= 1.0 || beside ? outside_volume : value;
 }
 
 // Density 0..1 from `shape_above_threshold` at p, less `erosion` (0..1), where samples lie `spacing_m` apart.

@@ -16,7 +16,8 @@
    octave_weight_low/high, octave_extinction_low/high, octave_asymmetry_low/high: of octaves 0..3 and 4..7; weight 0: unused.
    steps: small step (m), least share of the distance, greatest number, light steps. adaptive: begin (m), growth of the small step for each
    metre beyond it, random first step?, lighting? structure: large step (m; 0: none), slack of the threshold, what is free
-   of cloud about a point outside, about one in its outer padding (m).
+   of cloud about a point outside, about one in its outer padding (m). distance: factor on the distance field (0: none), threshold of its
+   lowest level, levels for each unit of threshold, levels.
    in_scatter_scale, in_scatter_offset: from a place in the volume (0..1) to one in the in-scatter volume; of scale w: levels, one
    above the other, of offset w: mean cosine of the phase function. in_scatter_levels: threshold of the lowest level, levels for each
    unit of threshold, share of extinction that is scattering into the forward peak, how strongly the fine optical depth shades.
@@ -47,6 +48,7 @@
   F(vec4, march) \
   F(vec4, adaptive) \
   F(vec4, structure) \
+  F(vec4, distance) \
   F(vec4, in_scatter_scale) \
   F(vec4, in_scatter_offset) \
   F(vec4, in_scatter_levels) \

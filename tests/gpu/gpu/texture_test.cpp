@@ -33,8 +33,8 @@ std::vector<std::uint8_t> pattern(std::size_t count) {
 
 class EachFormat : public GpuTest, public testing::WithParamInterface<Format> {};
 INSTANTIATE_TEST_SUITE_P(Formats, EachFormat,
-                         testing::Values(Format::rgba8, Format::r8, Format::r16f, Format::rgba16f, Format::rgba32f,
-                                         Format::r32f, Format::rg32f),
+                         testing::Values(Format::rgba8, Format::r8, Format::r16f, Format::rg16f, Format::rgba16f,
+                                         Format::rgba32f, Format::r32f, Format::rg32f),
                          [](const auto& info) { return std::string(name_of(info.param)); });
 
 TEST_P(EachFormat, ComesBackAsItWasIn2dAnd3dOfOddSizes) {

@@ -17,9 +17,13 @@ Cloudscape scattered_clouds(double variation = 0) {
   return sky;
 }
 
-FrameRequest small_steps(const Cloudscape& sky, const CameraPose& pose, bool structure) {
+// What clear air is crossed by.
+enum class Across { distances, structure, small_steps };
+
+FrameRequest small_steps(const Cloudscape& sky, const CameraPose& pose, Across across) {
   FrameRequest request = picture(sky, pose, {48, 27});
-  request.march.structure = structure;
+  request.march.distance_field = across == Across::distances;
+  request.march.structure = across == Across::structure;
   request.march.step_m = 10;
   request.march.max_steps = 16384;
   request.march.max_distance_m = 30000;
@@ -40,13 +44,14 @@ int pixels_of(const Frame& frame) { return static_cast<int>(frame.depth_m.size()
 const CameraPose below{{500, 200, 60}, 30, 25, 0}, above{{0, 0, 5000}, 60, -20, 0}, inside{{900, 700, 1450}, 100, 3, 0},
     grazing{{0, 0, 2590}, 200, -0.5, 0}, along_the_base{{0, 0, 1010}, 300, 0.5, 0};
 
-// Small steps lie at the same places with and without the structure, so that only a cloud that was missed can differ.
+// Small steps lie at the same places however clear air is crossed, so that only a cloud that was missed can differ.
 // The threshold leaves room for the rounding of distances.
-TEST_F(Technique, StructureMissesNoCloud) {
+void expect_no_cloud_is_missed(Across across, const auto& render) {
   for (const double variation : {0.0, 0.6}) {
     for (const CameraPose& pose : {below, above, inside, grazing, along_the_base}) {
       const Cloudscape sky = scattered_clouds(variation);
-      const Frame with = render(small_steps(sky, pose, true)), without = render(small_steps(sky, pose, false));
+      const Frame with = render(small_steps(sky, pose, across)),
+                  without = render(small_steps(sky, pose, Across::small_steps));
       double sum = 0, cloud = 0;
       for (int i = 0; i < pixels_of(with); ++i) {
         EXPECT_LT(std::abs(opacity(with, i) - opacity(without, i)), 0.02)
@@ -60,11 +65,30 @@ TEST_F(Technique, StructureMissesNoCloud) {
   }
 }
 
+TEST_F(Technique, StructureMissesNoCloud) { expect_no_cloud_is_missed(Across::structure, render); }
+TEST_F(Technique, DistanceFieldMissesNoCloud) { expect_no_cloud_is_missed(Across::distances, render); }
+
+// Steps are bounded, so that what a ray sees tells how many it took.
+TEST_F(Technique, DistancesTakeFewerStepsThanTheStructure) {
+  const Cloudscape sky = scattered_clouds(0.3);
+  const auto seen = [&](Across across, int steps) {
+    FrameRequest request = small_steps(sky, {{900, 700, 1900}, 100, -1, 0}, across);
+    request.march.max_steps = steps;
+    const Frame frame = render(request);
+    double cloud = 0;
+    for (int i = 0; i < pixels_of(frame); ++i) cloud += opacity(frame, i) / pixels_of(frame);
+    return cloud;
+  };
+  const double all = seen(Across::small_steps, 16384);
+  for (int n : {30, 60,120,240,480,960}) std::printf("%d: %g %g %g of %g\n", n, seen(Across::distances, n), seen(Across::structure, n), seen(Across::small_steps, n), all);
+  EXPECT_NEAR(seen(Across::distances, 16384), all, 0.01 * all);
+}
+
 TEST_F(Technique, LargeStepsAreNeverLongerThanThePaddingMakesSafe) {
   const Cloudscape sky = scattered_clouds();
   const bake::BakedCloudscape& baked = *stack().bakes.get(bake::bake_recipe(sky));
   const double cell_m = 8000.0 / 64, longest_m = 2 * bake::structure_padding * cell_m;
-  FrameRequest request = small_steps(sky, below, true);
+  FrameRequest request = small_steps(sky, below, Across::structure);
   request.march.step_m.reset();
   EXPECT_NEAR(cloud_block(request, baked).structure.x, longest_m, 0.05 * longest_m);
   request.march.large_step_m = 100;
@@ -80,8 +104,8 @@ TEST_F(Technique, LargeStepsAreNeverLongerThanThePaddingMakesSafe) {
 TEST_F(Technique, LargeStepsAreShorterWhereTheLandBendsTheTile) {
   const Cloudscape even = scattered_clouds(), bent = scattered_clouds(0.6);
   const bake::BakedCloudscape& baked = *stack().bakes.get(bake::bake_recipe(even));
-  const CloudBlock straight = cloud_block(small_steps(even, below, true), baked);
-  const CloudBlock turned = cloud_block(small_steps(bent, below, true), baked);
+  const CloudBlock straight = cloud_block(small_steps(even, below, Across::structure), baked);
+  const CloudBlock turned = cloud_block(small_steps(bent, below, Across::structure), baked);
   EXPECT_LT(turned.structure.x, straight.structure.x);
   EXPECT_EQ(straight.structure.y, 0);
   EXPECT_GT(turned.structure.y, 0);
@@ -90,7 +114,7 @@ TEST_F(Technique, LargeStepsAreShorterWhereTheLandBendsTheTile) {
 TEST_F(Technique, AdaptiveStepsGrowFromTheirBeginningOn) {
   const Cloudscape sky = scattered_clouds();
   const auto pictured = [&](bool adaptive, double start_m, double growth) {
-    FrameRequest request = small_steps(sky, below, true);
+    FrameRequest request = small_steps(sky, below, Across::structure);
     request.march.adaptive_step = adaptive;
     request.march.adaptive_start_m = start_m;
     request.march.adaptive_growth = growth;
@@ -240,7 +264,7 @@ TEST_F(Technique, LightStepsAndLengthAreTheDocuments) {
 // A software rasterizer leaves every loop of a shader once they have gone round 65535 times together.
 TEST_F(Technique, StepsAreNoMoreThanADeviceGoesThrough) {
   const bake::BakedCloudscape& baked = *stack().bakes.get(bake::bake_recipe(small_clouds()));
-  FrameRequest request = small_steps(small_clouds(), below, true);
+  FrameRequest request = small_steps(small_clouds(), below, Across::structure);
   request.march.light_steps = 128;
   const CloudBlock block = cloud_block(request, baked);
   EXPECT_LE(block.steps.z * (block.steps.w + 2), 65535);
@@ -250,7 +274,7 @@ TEST_F(Technique, StepsAreNoMoreThanADeviceGoesThrough) {
 
 TEST_F(Technique, TheMarchEndsAtItsGreatestDistance) {
   const Cloudscape sky = scattered_clouds();
-  FrameRequest request = small_steps(sky, inside, true);
+  FrameRequest request = small_steps(sky, inside, Across::structure);
   request.march.max_distance_m = 3000;
   const Frame frame = render(request);
   for (const float depth : frame.depth_m) EXPECT_TRUE(depth <= 3000 || std::isinf(depth)) << depth;

@@ -1,0 +1,25 @@
+// For which clouds a distance field is built (bake/distance_field.h).
+#pragma once
+#include <array>
+#include <glm/vec3.hpp>
+
+namespace cloudscape::bake {
+
+// Coverage that varies over the land moves the threshold from level to level.
+struct DistancePlan {
+  std::array<double, 3> weights{};  // the shape's finer channels are mixed in with
+  glm::dvec3 size_m{1};             // of the tile
+  double lowest_threshold = 0;      // below it none is anywhere
+  double between_levels = 1;        // of the threshold
+  int levels = 1;                   // up to most_distance_levels
+  double threshold_fall_per_m = 0;  // how fast the threshold can fall along a way
+  bool jumps = false;               // whether the shape is looked up without interpolation
+  bool operator==(const DistancePlan&) const = default;
+};
+
+constexpr int most_distance_levels = 4;  // tuned: more enclose less, and take as long again to build
+
+// Its levels, for thresholds from `least` to `greatest`.
+DistancePlan distance_plan(double least, double greatest);
+
+}  // namespace cloudscape::bake

@@ -1,0 +1,172 @@
+// The distance field tells of each cell how far no cloud is, and nearly as far as none is.
+#include "bake/distance_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+
+#include "bake/structure.h"
+#include "fixture.h"
+
+namespace cloudscape::bake {
+namespace {
+
+struct Field {
+  std::vector<double> metres, change_m;
+  glm::ivec3 size;
+  std::size_t index(const glm::ivec3& cell, int level) const {
+    const glm::ivec3 wrapped((cell.x + size.x) % size.x, (cell.y + size.y) % size.y, cell.z + level * size.z);
+    return static_cast<std::size_t>((wrapped.z * size.y + wrapped.y) * size.x + wrapped.x);
+  }
+  double at(const glm::ivec3& cell, int level = 0) const { return metres[index(cell, level)]; }
+};
+
+class DistanceField : public BakeTest {
+ protected:
+  Field built(const BakedCloudscape& baked, const DistancePlan& plan) {
+    const std::vector<std::uint8_t> bytes = builder_.of(baked, plan).download();
+    Field field{{}, {}, builder_.size_for(baked)};
+    for (std::size_t i = 0; i < bytes.size(); i += 4) {
+      std::uint16_t halves[2];
+      std::memcpy(halves, &bytes[i], 4);
+      field.metres.push_back(glm::unpackHalf1x16(halves[0]));
+      field.change_m.push_back(glm::unpackHalf1x16(halves[1]));
+    }
+    return field;
+  }
+  DistanceFieldBuilder builder_{shaders_, 128};
+};
+
+// A tile of 16 x 16 x 16 texels, empty but for some of full noise.
+BakedTexels texels_with(const std::vector<std::pair<glm::ivec3, int>>& clouds) {
+  BakeRecipe recipe = small_recipe();
+  recipe.height_over_width = 1;
+  BakedTexels texels{recipe, std::vector<std::uint8_t>(4 * 16 * 16 * 16), std::vector<std::uint8_t>(4 * 16 * 16 * 16),
+                     std::vector<std::uint8_t>(8 * variation_resolution * variation_resolution)};
+  for (const auto& [at, value] : clouds)
+    for (int i = 0; i < 4; ++i)
+      texels.shape[static_cast<std::size_t>(4 * ((at.z * 16 + at.y) * 16 + at.x) + i)] =
+          static_cast<std::uint8_t>(value);
+  return texels;
+}
+
+DistancePlan plan_of(double least, double greatest) {
+  DistancePlan plan = distance_plan(least, greatest);
+  plan.size_m = {1600, 3200, 800};  // cells of 100 x 200 x 50 m
+  return plan;
+}
+
+// Between the box that interpolation spreads a texel over and a cell: cells between them, along each axis.
+glm::dvec3 gap_m(const glm::ivec3& cell, const glm::ivec3& cloud) {
+  const auto around = [](int a, int b) { return std::min((a - b + 16) % 16, (b - a + 16) % 16); };
+  const glm::ivec3 away(around(cell.x, cloud.x), around(cell.y, cloud.y), std::abs(cell.z - cloud.z));
+  return glm::dvec3(glm::max(away - 2, glm::ivec3(0))) * glm::dvec3(100, 200, 50);
+}
+
+TEST_F(DistanceField, OfOneCloudIsTheGapToItAroundTheTilesEdges) {
+  const BakedCloudscape baked(texels_with({{{1, 8, 6}, 255}}));
+  const Field field = built(baked, plan_of(0.3, 0.3));
+  ASSERT_EQ(field.size, glm::ivec3(16));
+  for (int z = 0; z < 16; ++z)
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        const double expected = std::min(glm::length(gap_m({x, y, z}, {1, 8, 6})), 800.0);
+        ASSERT_NEAR(field.at({x, y, z}), expected, 0.002 * expected) << x << " " << y << " " << z;
+        ASSERT_LE(field.at({x, y, z}), expected) << "told too far";
+      }
+}
+
+// Levels from 0.1875, 9/64 apart: of 0.19, 0.33, 0.47 and 0.61. The weak cloud, of 90 / 255 = 0.35, is in the lower
+// two.
+const std::vector<std::pair<glm::ivec3, int>> strong_and_weak{{{1, 8, 6}, 255}, {{9, 8, 6}, 90}};
+
+TEST_F(DistanceField, OfAHigherThresholdLeavesOutWhatIsBelowIt) {
+  const BakedCloudscape baked(texels_with(strong_and_weak));
+  const DistancePlan plan = plan_of(0.2, 0.7);
+  ASSERT_EQ(plan.levels, 4);
+  const Field field = built(baked, plan);
+  EXPECT_EQ(field.at({9, 8, 6}, 0), 0);
+  EXPECT_EQ(field.at({9, 8, 6}, 1), 0);
+  EXPECT_NEAR(field.at({9, 8, 6}, 2), 600, 1);
+}
+
+// The land lowers the threshold by a level in each 150 m: the weak cloud counts as soon as it can have come up.
+TEST_F(DistanceField, ReckonsWithAThresholdThatFallsOnTheWay) {
+  const BakedCloudscape baked(texels_with(strong_and_weak));
+  DistancePlan plan = plan_of(0.2, 0.7);
+  plan.threshold_fall_per_m = plan.between_levels / 150;
+  const Field field = built(baked, plan);
+  EXPECT_EQ(field.at({9, 8, 6}, 2), 0) << "the first fall reaches the level of the weak cloud";
+  EXPECT_NEAR(field.at({9, 8, 6}, 3), 150, 1) << "and here the second";
+  EXPECT_NEAR(field.at({5, 8, 6}, 3), 200, 1) << "200 m beside either cloud";
+  EXPECT_EQ(field.at({1, 8, 6}, 3), 0);
+}
+
+// The noise cannot change faster than is told: from a texel of 1 to one of 0, 100 m away, with the product of the
+// channels' slopes.
+TEST_F(DistanceField, TellsHowFastTheNoiseChanges) {
+  const BakedCloudscape baked(texels_with({{{8, 8, 8}, 255}}));
+  DistancePlan plan = plan_of(0.3, 0.3);
+  const double steepest = glm::length(glm::dvec3(1.0 / 100, 1.0 / 200, 1.0 / 50));  // all along one diagonal
+  Field field = built(baked, plan);
+  EXPECT_NEAR(field.change_m[field.index({8, 8, 8}, 0)], 1 / steepest, 0.002 / steepest);
+  EXPECT_NEAR(field.change_m[field.index({6, 8, 8}, 0)], 1 / steepest, 0.002 / steepest) << "a cell's length away";
+  EXPECT_GT(field.change_m[field.index({4, 8, 8}, 0)], 1e4) << "nothing changes there";
+  plan.threshold_fall_per_m = 0.01;
+  field = built(baked, plan);
+  EXPECT_NEAR(field.change_m[field.index({4, 8, 8}, 0)], 100, 1) << "but the threshold";
+  plan.jumps = true;
+  field = built(baked, plan);
+  EXPECT_EQ(field.change_m[field.index({4, 8, 8}, 0)], 0) << "nearest texels jump";
+}
+
+// Of baked noise: no cell within the distance holds more than the threshold.
+TEST_F(DistanceField, OfNoiseHasNoCloudWithinIt) {
+  BakeRecipe recipe = small_recipe();
+  const BakedCloudscape baked(bake(recipe));
+  DistancePlan plan = distance_plan(0.45, 0.6);
+  plan.size_m = {4000, 4000, 1000};
+  const Field field = built(baked, plan);
+  const glm::ivec3 size = field.size;
+  const glm::dvec3 cell_m = plan.size_m / glm::dvec3(size);
+  StructureBuilder structures(shaders_);
+  int free = 0, dense = 0;
+  for (int level = 0; level < plan.levels; ++level)
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x)
+        for (int z = 0; z < size.z; ++z) {
+          const double told_m = field.at({x, y, z}, level);
+          (told_m > 0 ? free : dense) += 1;
+          // A Lipschitz field: its neighbours are no nearer to cloud than this cell less the way to them.
+          ASSERT_GE(field.at({x + 1, y, z}, level) + cell_m.x * 1.01, told_m);
+          ASSERT_GE(field.at({x, y - 1, z}, level) + cell_m.y * 1.01, told_m);
+          const double of_more_cloud_m = field.at({x, y, z}, std::max(level - 1, 0));
+          ASSERT_GE(told_m * 1.001, of_more_cloud_m) << "less cloud is farther";
+        }
+  EXPECT_GT(free, 100);
+  EXPECT_GT(dense, 100);
+}
+
+TEST_F(DistanceField, IsBuiltOnceForEachOfTheLastFewPlans) {
+  const BakedCloudscape baked(bake(small_recipe()));
+  const gpu::Texture* first = &builder_.of(baked, plan_of(0.3, 0.3));
+  const gpu::Texture* second = &builder_.of(baked, plan_of(0.5, 0.5));
+  EXPECT_NE(first, second);
+  EXPECT_EQ(&builder_.of(baked, plan_of(0.3, 0.3)), first);
+  EXPECT_EQ(&builder_.of(baked, plan_of(0.302, 0.3)), first) << "a grain of the threshold is one plan";
+}
+
+TEST(DistancePlans, CoverTheirThresholds) {
+  for (const double least : {-0.2, 0.1, 0.301})
+    for (const double range : {0.0, 0.01, 0.25, 1.0}) {
+      const DistancePlan plan = distance_plan(least, least + range);
+      EXPECT_LE(plan.lowest_threshold, least);
+      EXPECT_GE(plan.lowest_threshold + plan.levels * plan.between_levels, least + range - 1e-9);
+      EXPECT_LE(plan.levels, most_distance_levels);
+    }
+}
+
+}  // namespace
+}  // namespace cloudscape::bake
