@@ -80,7 +80,7 @@ TEST_F(Technique, DistancesTakeFewerStepsThanTheStructure) {
     return cloud;
   };
   const double all = seen(Across::small_steps, 16384);
-  for (int n : {30, 60,120,240,480,960}) std::printf("%d: %g %g %g of %g\n", n, seen(Across::distances, n), seen(Across::structure, n), seen(Across::small_steps, n), all);
+  EXPECT_GT(seen(Across::distances, 120), 1.4 * seen(Across::structure, 120));
   EXPECT_NEAR(seen(Across::distances, 16384), all, 0.01 * all);
 }
 
