@@ -49,6 +49,7 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
       passes_(context, shaders),
       sky_(context, shaders),
       in_scatter_(shaders, bake::LightCache(bakes.files())),
+      sun_depths_(shaders),
       terrain_(context, shaders, std::move(height_maps)),
       resolver_(context, shaders),
       water_(context, shaders),
@@ -88,7 +89,7 @@ bool Renderer::advance(RenderJob& job) {
     return false;
   }
   if (job.request.quality.technique == Technique::path_tracing) return advance_trace(job);
-  if (!find_in_scatter(job) || !find_water(job)) return false;
+  if (!find_in_scatter(job) || !find_sun_depth(job) || !find_water(job)) return false;
   if (!job.targets) {
     job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
@@ -130,17 +131,26 @@ bool Renderer::find_in_scatter(RenderJob& job) {
   return job.in_scatter != nullptr;
 }
 
+// The clouds' shadows.
+bool Renderer::find_sun_depth(RenderJob& job) {
+  if (job.sun_depth || sun_depths_.prepare({job.request, cloud_values(job), job.baked}, job.sun_depth)) return true;
+  context_.finish();
+  return false;
+}
+
 // The clouds without land and water.
 Passes::Medium Renderer::medium_of(const RenderJob& job) {
   const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(*job.request.cloudscape));
-  return {*job.baked, structure, {}, job.phase ? &job.phase->texture : nullptr, job.in_scatter.get()};
+  return {*job.baked,           structure,          {}, job.phase ? &job.phase->texture : nullptr,
+          job.in_scatter.get(), job.sun_depth.get()};
 }
 
 // What water reflects.
 bool Renderer::find_water(RenderJob& job) {
   if (!has_water(*job.request.cloudscape)) return true;
   const CloudBlock cloud = cloud_values(job);
-  const bool found = water_.prepare({job.request, cloud, medium_of(job), job.in_scatter, passes_, sky_}, job.water);
+  const bool found =
+      water_.prepare({job.request, cloud, medium_of(job), job.in_scatter, job.sun_depth, passes_, sky_}, job.water);
   if (!found) context_.finish();
   return found;
 }
@@ -335,6 +345,7 @@ void Renderer::reload_shaders() {
   passes_.reload(shaders_);
   sky_.reload(shaders_);
   in_scatter_.reload(shaders_);
+  sun_depths_.reload(shaders_);
   terrain_.reload(shaders_);
   resolver_.reload(shaders_);
   water_.reload(shaders_);
