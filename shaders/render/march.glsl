@@ -7,8 +7,6 @@
 #include "lib/hash.glsl"
 layout(binding = 3) uniform sampler2D scene_depth;
 
-const float golden_ratio = 0.61803398875;
-
 struct March {
   vec3 radiance;
   float transmittance;
