@@ -22,10 +22,13 @@ vec3 place_towards(vec3 place, vec3 direction, float distance_m) {
 
 // Where on that way the tile is that stands alone; of one that repeats, everywhere.
 vec2 within_tile(vec3 place, vec3 direction) {
-  if (cloud.box_low.w > 0.0) return vec2(0.0, longest_sun_path_m);
-  vec2 per_m = cloud.tile.xy * (direction.xy - cloud.lean.xy * direction.z * cloud.layer.z);
-  vec2 x = intersect_slab(place.x, per_m.x, 0.0, 1.0);
-  vec2 y = intersect_slab(place.y, per_m.y, 0.0, 1.0);
-  return vec2(max(max(x.x, y.x), 0.0), min(x.y, y.y));
+  vec2 within = vec2(0.0, longest_sun_path_m);
+  for (int i = 0; i < (cloud.box_low.w > 0.0 ? 0 : 1); ++i) {  // a loop, which software leaves out
+    vec2 per_m = cloud.tile.xy * (direction.xy - cloud.lean.xy * direction.z * cloud.layer.z);
+    vec2 x = intersect_slab(place.x, per_m.x, 0.0, 1.0);
+    vec2 y = intersect_slab(place.y, per_m.y, 0.0, 1.0);
+    within = vec2(max(max(x.x, y.x), 0.0), min(x.y, y.y));
+  }
+  return within;
 }
 #endif
