@@ -16,6 +16,7 @@ using glm::ivec4, glm::mat4, glm::uvec4, glm::vec4;
 #include "shared/in_scatter_block.glsl"
 #include "shared/resolve_block.glsl"
 #include "shared/sky_block.glsl"
+#include "shared/sun_block.glsl"
 #include "shared/terrain_block.glsl"
 #include "shared/trace_block.glsl"
 #include "shared/water_block.glsl"

@@ -10,8 +10,8 @@ InScatterExtinction::InScatterExtinction(gpu::ShaderLibrary& shaders)
     : pass_(shaders, "render/in_scatter_extinction.comp"), cloud_("cloud"), block_("in-scatter grid") {}
 
 bake::InScatterGrid InScatterExtinction::grid_of(const std::shared_ptr<const Cloudscape>& marched,
-                                                 const bake::BakedCloudscape& baked, const gpu::Texture& structure,
-                                                 const InScatterPlan& plan, double threshold) const {
+                                                 const bake::BakedCloudscape& baked, const InScatterPlan& plan,
+                                                 double threshold) const {
   const Volume& volume = marched->volume;
   const glm::dvec3 below = glm::dvec3(1, 1, 0) * (volume.origin_m + 0.5 * volume.size_m);
   CloudBlock cloud = cloud_block(seen_by_nobody(marched, below), baked);
@@ -23,7 +23,7 @@ bake::InScatterGrid InScatterExtinction::grid_of(const std::shared_ptr<const Clo
   block_.upload({vec4(first, 0), vec4(spacing, 0), ivec4(plan.size, 0)});
   block_.bind();
   const gpu::Texture target(gpu::Format::r32f, plan.size.x, plan.size.y, plan.size.z, "extinction");
-  const gpu::Binding textures[] = {{0, &baked.shape()}, {1, &baked.detail()}, {2, &baked.variation()}, {4, &structure}};
+  const gpu::Binding textures[] = {{0, &baked.shape()}, {1, &baked.detail()}, {2, &baked.variation()}};
   pass_.run(target, 0, plan.size.z, textures);
   const std::vector<std::uint8_t> bytes = target.download();
   bake::InScatterGrid grid{plan.size, spacing, plan.periodic, std::vector<float>(bytes.size() / sizeof(float))};

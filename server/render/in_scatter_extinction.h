@@ -12,7 +12,7 @@ class InScatterExtinction {
   explicit InScatterExtinction(gpu::ShaderLibrary& shaders);
   // As if the threshold were the same everywhere. `marched`: as `as_marched` makes it. Binds blocks of its own.
   bake::InScatterGrid grid_of(const std::shared_ptr<const Cloudscape>& marched, const bake::BakedCloudscape& baked,
-                              const gpu::Texture& structure, const InScatterPlan& plan, double threshold) const;
+                              const InScatterPlan& plan, double threshold) const;
 
  private:
   gpu::VolumePass pass_;

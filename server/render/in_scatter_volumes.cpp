@@ -125,7 +125,7 @@ std::shared_ptr<InScatterVolumes::Clouds> InScatterVolumes::clouds_of(const Want
   clouds->key = key;
   clouds->plan = in_scatter_plan_of(*marched, *wanted.baked);
   for (const double threshold : clouds->plan.thresholds)
-    clouds->grids.push_back(extinction_.grid_of(marched, *wanted.baked, wanted.structure, clouds->plan, threshold));
+    clouds->grids.push_back(extinction_.grid_of(marched, *wanted.baked, clouds->plan, threshold));
   clouds_.push_front(clouds);
   keep_first(clouds_, most_clouds);
   return clouds;

@@ -9,7 +9,6 @@
 
 #include "bake/in_scatter.h"
 #include "bake/light_cache.h"
-#include "bake/structure.h"
 #include "core/frame.h"
 #include "render/in_scatter_extinction.h"
 #include "render/sky_tables.h"
@@ -32,7 +31,6 @@ class InScatterVolumes {
   struct Wanted {
     const FrameRequest& request;
     std::shared_ptr<const bake::BakedCloudscape> baked;
-    const gpu::Texture& structure;
     std::shared_ptr<const SkyTables::Lights> lights;
     double mean_cosine = 0;
   };

@@ -24,7 +24,8 @@ class Passes {
     std::span<const gpu::Binding> land;   // textures of the scene's terrain and water
     const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
     const InScatterVolume* in_scatter = nullptr;
-    bool water = false;  // whether the scene has any
+    const gpu::Texture* sun_depth = nullptr;  // where clouds cast shadows
+    bool water = false;                       // whether the scene has any
   };
   void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;
   // The whole picture into targets.scratch, averaged with `previous`.

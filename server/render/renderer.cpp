@@ -50,6 +50,7 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
       passes_(context, shaders),
       sky_(context, shaders),
       in_scatter_(shaders, bake::LightCache(bakes.files())),
+      sun_depths_(shaders),
       terrain_(context, shaders, std::move(height_maps)),
       resolver_(context, shaders),
       water_(context, shaders),
@@ -89,7 +90,7 @@ bool Renderer::advance(RenderJob& job) {
     return false;
   }
   if (job.request.quality.technique == Technique::path_tracing) return advance_trace(job);
-  if (!find_in_scatter(job) || !find_water(job)) return false;
+  if (!find_in_scatter(job) || !find_sun_depth(job) || !find_water(job)) return false;
   if (!job.targets) {
     job.targets = pool_.acquire(job.request.size_px, job.request.quality);
     job.timer.start();
@@ -125,10 +126,16 @@ bool Renderer::find_in_scatter(RenderJob& job) {
   const Cloudscape& sky = *job.request.cloudscape;
   if (job.in_scatter || sky.medium.light_model.kind != LightModelKind::in_scatter_volume) return true;
   const SkyTables::Set tables = bind_blocks(job, job.sample);
-  const gpu::Texture& structure = structures_.of(*job.baked, mixing_weights(sky));
   const double g = mean_cosine(sky.medium.phase, job.phase ? job.phase->mean_asymmetry_g : 0);
-  job.in_scatter = in_scatter_.find({job.request, job.baked, structure, tables.lights, g});
+  job.in_scatter = in_scatter_.find({job.request, job.baked, tables.lights, g});
   return job.in_scatter != nullptr;
+}
+
+// The clouds' shadows.
+bool Renderer::find_sun_depth(RenderJob& job) {
+  if (job.sun_depth || sun_depths_.prepare({job.request, cloud_values(job), job.baked}, job.sun_depth)) return true;
+  context_.finish();
+  return false;
 }
 
 // The clouds without land and water.
@@ -139,14 +146,16 @@ Passes::Medium Renderer::medium_of(const RenderJob& job) {
   if (is_textured(marched->volume.kind))
     nearness = distances ? &distances_.of(*job.baked, distance_plan_of(*marched, *job.baked))
                          : &structures_.of(*job.baked, mixing_weights(*marched));
-  return {*job.baked, *nearness, distances, {}, job.phase ? &job.phase->texture : nullptr, job.in_scatter.get()};
+  const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
+  return {*job.baked, *nearness, distances, {}, phase, job.in_scatter.get(), job.sun_depth.get()};
 }
 
 // What water reflects.
 bool Renderer::find_water(RenderJob& job) {
   if (!has_water(*job.request.cloudscape)) return true;
   const CloudBlock cloud = cloud_values(job);
-  const bool found = water_.prepare({job.request, cloud, medium_of(job), job.in_scatter, passes_, sky_}, job.water);
+  const bool found =
+      water_.prepare({job.request, cloud, medium_of(job), job.in_scatter, job.sun_depth, passes_, sky_}, job.water);
   if (!found) context_.finish();
   return found;
 }
@@ -341,6 +350,7 @@ void Renderer::reload_shaders() {
   passes_.reload(shaders_);
   sky_.reload(shaders_);
   in_scatter_.reload(shaders_);
+  sun_depths_.reload(shaders_);
   terrain_.reload(shaders_);
   resolver_.reload(shaders_);
   water_.reload(shaders_);

@@ -18,6 +18,7 @@
 #include "render/passes.h"
 #include "render/path_tracer.h"
 #include "render/resolver.h"
+#include "render/sun_depth.h"
 #include "render/terrain_stage.h"
 #include "render/water_stage.h"
 
@@ -29,6 +30,7 @@ struct RenderJob {
   std::shared_ptr<const bake::BakedCloudscape> baked;
   std::shared_ptr<const bake::PhaseTexture> phase;    // where the document's phase function is looked up
   std::shared_ptr<const InScatterVolume> in_scatter;  // where its light model needs one
+  std::shared_ptr<const gpu::Texture> sun_depth;      // where clouds cast shadows
   Land land;
   WaterView water;
   std::unique_ptr<Targets> targets;
@@ -67,8 +69,9 @@ class Renderer {
   void reload_shaders();
   std::size_t history_bytes() const;
   std::size_t history_bytes(StreamId stream) const;
-  int sky_bakes() const { return sky_.bakes(); }        // tables of the sky computed so far
-  int panoramas() const { return water_.panoramas(); }  // of clouds for water, begun so far
+  int sky_bakes() const { return sky_.bakes(); }           // tables of the sky computed so far
+  int panoramas() const { return water_.panoramas(); }     // of clouds for water, begun so far
+  int sun_slices() const { return sun_depths_.slices(); }  // of the clouds' shadows, baked so far
   PathTracer& tracer() { return tracer_; }
 
  private:
@@ -80,6 +83,7 @@ class Renderer {
   History& history_of(const FrameRequest& request);
   bool find_baked(RenderJob& job);
   bool find_in_scatter(RenderJob& job);
+  bool find_sun_depth(RenderJob& job);
   bool find_water(RenderJob& job);
   Passes::Medium medium_of(const RenderJob& job);
   bool advance_trace(RenderJob& job);
@@ -99,6 +103,7 @@ class Renderer {
   Passes passes_;
   SkyTables sky_;
   InScatterVolumes in_scatter_;
+  SunDepths sun_depths_;
   TerrainStage terrain_;
   Resolver resolver_;
   WaterStage water_;

@@ -73,14 +73,14 @@ WaterStage::Entry& WaterStage::entry_of(const Scene& scene) {
   const glm::dvec2 eye_m = eye_of(request, altitude_m);
   const auto same = [&](const Entry& entry) {
     return entry.panorama->eye_m == eye_m && entry.march == request.march &&
-           entry.in_scatter.lock() == scene.in_scatter &&
+           entry.in_scatter.lock() == scene.in_scatter && entry.sun_depth.lock() == scene.sun_depth &&
            (entry.cloudscape == request.cloudscape || *entry.cloudscape == *request.cloudscape);
   };
   auto found = std::ranges::find_if(entries_, same);
   if (found == entries_.end()) {
     ++panoramas_made_;
-    entries_.push_front(
-        {request.cloudscape, request.march, scene.in_scatter, new_panorama(eye_m, altitude_m), panorama_targets(), 0});
+    entries_.push_front({request.cloudscape, request.march, scene.in_scatter, scene.sun_depth,
+                         new_panorama(eye_m, altitude_m), panorama_targets(), 0});
     drop_oldest();
     return entries_.front();
   }

@@ -39,6 +39,7 @@ class WaterStage {
     const CloudBlock& cloud;  // of the request
     const Passes::Medium& medium;
     const std::shared_ptr<const InScatterVolume>& in_scatter;  // of the medium
+    const std::shared_ptr<const gpu::Texture>& sun_depth;      // the same
     const Passes& passes;
     SkyTables& sky;
   };
@@ -55,6 +56,7 @@ class WaterStage {
     std::shared_ptr<const Cloudscape> cloudscape;
     March march;
     std::weak_ptr<const InScatterVolume> in_scatter;
+    std::weak_ptr<const gpu::Texture> sun_depth;
     std::shared_ptr<CloudPanorama> panorama;
     std::unique_ptr<Targets> targets;  // until it is done
     int next_row = 0;

@@ -3,6 +3,7 @@
 #define RENDER_CLOUD_LIGHT
 #include "render/medium.glsl"
 #include "render/in_scatter.glsl"
+#include "render/sun_depth.glsl"
 #include "render/sky.glsl"
 #include "render/phase_table.glsl"
 #include "lib/transport.glsl"
@@ -52,13 +53,15 @@ float near_optical_depth(vec3 p, Stretch path, Land land, float jitter) {
 
 bool light_from_grid() { return int(cloud.phase.w) == light_in_scatter_volume; }
 
-// All of it, where the in-scatter volume knows what stands farther away.
+// All of it: a volume knows what stands farther away.
 float sun_optical_depth(vec3 p, Land land, float jitter) {
   vec3 sun = frame.light_direction.xyz;
   Stretch path = medium_stretch(p, sun);
   float depth = near_optical_depth(p, path, land, jitter);
   float far_m = max(cloud.march.x, path.begin);
   if (light_from_grid() && path.end > far_m) depth += far_optical_depth(in_scatter_place(p + far_m * sun, land));
+  int far = has_sun_depth() && !light_from_grid() && path.end > far_m ? 1 : 0;
+  for (int i = 0; i < far; ++i) depth += sun_depth_in_layer(p + far_m * sun, land);
   return depth;
 }
 

@@ -24,7 +24,8 @@ PassOutput shade(ivec2 pixel) {
     far = texelFetch(march_depth, ivec2(uv * vec2(textureSize(march_depth, 0))), 0).xy;
   }
   vec3 lit = scene.xyz * (1.0 - scene.w * (1.0 - far.y));
-  vec4 result = vec4((lit * march.w + march.xyz) / frame.accumulation.z, 1.0 - march.w);
+  // What the clouds' shadow takes from the air can be more than a neighbour's air has.
+  vec4 result = vec4(max(lit * march.w + march.xyz, vec3(0.0)) / frame.accumulation.z, 1.0 - march.w);
   float seen_m = result.w >= 0.5 ? min(far.x, depth_m) : depth_m;
   float weight = frame.accumulation.x;
   if (weight < 1.0) {

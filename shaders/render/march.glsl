@@ -1,8 +1,9 @@
 // targets: rgba16f rg32f
-// Marches the medium along each ray (Olajos 2.4). Target 0: radiance of the cloud, transmittance. Target 1: mean distance of the
+// Marches the medium along each ray (Olajos 2.4). Target 0: radiance of the cloud less what its shadow takes from the air, transmittance. Target 1: mean distance of the
 // cloud, m (no_hit_m without cloud); share of the sunlight that reaches the ground behind.
 #include "render/camera.glsl"
 #include "render/cloud_light.glsl"
+#include "render/shafts.glsl"
 #include "lib/hash.glsl"
 #include "render/walk.glsl"
 #ifdef THESIS_STRUCTURE
@@ -11,8 +12,6 @@
 #include "render/walk_distance.glsl"
 #endif
 layout(binding = 3) uniform sampler2D scene_depth;
-
-const float golden_ratio = 0.61803398875;
 
 struct March {
   vec3 radiance;
@@ -103,16 +102,12 @@ March march_ray(CameraRay ray, Stretch path, vec2 jitter, float stop_transmittan
   return march;
 }
 
-// Beam and diffuse light together: transmittance of a conservative slab by the two-stream equations (Bohren 1987).
-float ground_visibility(CameraRay ray, float distance_m, float jitter) {
-  if (frame.light_direction.z <= 0.02 || !is_textured()) return 1.0;
-  bool directed = cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie;
-  float g = directed ? max(cloud.phase.x, 0.0) : 0.0;
-  vec3 p = ray.origin + ray.direction * distance_m;
-  // The clouds that shade it stand where the sun is, not above it.
-  vec3 above = p + frame.light_direction.xyz * (cloud.march.z / max(frame.light_direction.z, 0.05));
-  float optical_depth = sun_optical_depth(p, land_at(above), jitter);
-  return 1.0 / (1.0 + 0.75 * (1.0 - g) * optical_depth);
+// Share of the sunlight that reaches what lies there.
+float ground_visibility(vec3 p) {
+  bool shaded = frame.light_direction.z > 0.02 && has_sun_depth();
+  float visibility = 1.0;
+  for (int i = 0; i < (shaded ? 1 : 0); ++i) visibility = slab_transmittance(sun_depth_at(p));
+  return visibility;
 }
 
 PassOutput shade(ivec2 march_pixel) {
@@ -120,18 +115,22 @@ PassOutput shade(ivec2 march_pixel) {
   vec2 pixel = (vec2(march_pixel) + 0.5) * float(divisor);
   CameraRay ray = camera_ray(pixel);
   float depth_m = texelFetch(scene_depth, min(ivec2(pixel), frame.size.xy - 1), 0).x;
-  float visibility = depth_m < no_hit_m && depth_m > 0.0 ? ground_visibility(ray, depth_m, step_jitter(march_pixel)) : 1.0;
+  bool ground = depth_m < no_hit_m && depth_m > 0.0;
+  float visibility = 1.0;
+  for (int i = 0; i < (ground ? 1 : 0); ++i) visibility = ground_visibility(ray.origin + ray.direction * depth_m);
   Stretch path = medium_stretch(ray.origin, ray.direction);
   path.end = min(min(path.end, depth_m), cloud.march.y);
-  if (ray.valid == 0.0 || path.end <= path.begin || cloud.medium.x <= 0.0)
-    return PassOutput(vec4(0.0, 0.0, 0.0, 1.0), vec4(no_hit_m, visibility, 0.0, 0.0));
+  bool marched = ray.valid > 0.0 && path.end > path.begin && cloud.medium.x > 0.0;
   // The sun's disc is 20,000 times brighter than a cloud: before it even thin remainders of it can be seen.
   float stop = dot(ray.direction, frame.light_direction.xyz) > 0.9995 ? 1.0e-6 : 0.003;
-  March march = march_ray(ray, path, vec2(step_jitter(march_pixel), light_jitter(march_pixel)), stop);
-  if (march.weight <= 0.0) return PassOutput(vec4(0.0, 0.0, 0.0, 1.0), vec4(no_hit_m, visibility, 0.0, 0.0));
-  float distance_m = march.weighted_distance_m / march.weight;
+  vec2 jitter = vec2(step_jitter(march_pixel), light_jitter(march_pixel));
+  March march = March(vec3(0.0), 1.0, 0.0, 0.0);
+  for (int i = 0; i < (marched ? 1 : 0); ++i) march = march_ray(ray, path, jitter, stop);
+  float distance_m = march.weight > 0.0 ? march.weighted_distance_m / march.weight : no_hit_m;
   Air air = air_to(ray.direction, distance_m);
-  vec3 radiance = march.radiance * air.transmittance + (1.0 - march.transmittance) * air.in_scatter;
-  radiance = min(radiance * frame.accumulation.z, vec3(frame.accumulation.y));
+  AirShadow shadow = air_shadow(ray, depth_m, distance_m, jitter.y);
+  float opacity = 1.0 - march.transmittance;
+  vec3 radiance = march.radiance * air.transmittance + opacity * (air.in_scatter - shadow.before) - march.transmittance * shadow.behind;
+  radiance = clamp(radiance * frame.accumulation.z, vec3(-frame.accumulation.y), vec3(frame.accumulation.y));
   return PassOutput(vec4(radiance, march.transmittance), vec4(distance_m, visibility, 0.0, 0.0));
 }

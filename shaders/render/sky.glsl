@@ -28,16 +28,22 @@ struct Air {
   vec3 in_scatter;
 };
 
+// Where a direction lies in the blocks of the aerial table, and the row of a distance in the first of them.
+vec2 aerial_uv(vec3 direction) {
+  vec2 azimuth = from_light_azimuth(direction.xy);
+  float u = azimuth_coordinate(azimuth.x, azimuth.y, mirrored_sky());
+  return table_uv(vec2(u, aerial_v(direction.z, horizon_sine(camera_altitude_m()))), aerial_size.xy);
+}
+float aerial_row(float distance_m) {
+  return (0.5 + aerial_w(max(distance_m, 0.0)) * (aerial_size.z - 1.0)) / (3.0 * aerial_size.z);
+}
+
 // The air between the camera and a point.
 Air air_to(vec3 direction, float distance_m) {
   if (sky_kind() != sky_clear) return Air(vec3(1.0), vec3(0.0));
   float begin_m = aerial_begin_m(camera_altitude_m(), direction);
-  vec2 azimuth = from_light_azimuth(direction.xy);
-  vec2 uv = table_uv(vec2(azimuth_coordinate(azimuth.x, azimuth.y, mirrored_sky()), aerial_v(direction.z, horizon_sine(camera_altitude_m()))),
-                     aerial_size.xy);
-  float w = aerial_w(max(distance_m - begin_m, 0.0));
-  float slices = aerial_size.z;
-  float row = (0.5 + w * (slices - 1.0)) / (3.0 * slices);
+  vec2 uv = aerial_uv(direction);
+  float row = aerial_row(distance_m - begin_m);
   vec3 even = textureLod(aerial_table, vec3(uv, row), 0.0).xyz;
   vec3 aerosol = textureLod(aerial_table, vec3(uv, row + 1.0 / 3.0), 0.0).xyz;
   vec3 transmittance = textureLod(aerial_table, vec3(uv, row + 2.0 / 3.0), 0.0).xyz;

@@ -197,6 +197,8 @@ TEST_F(Blocks, LieAsTheDriverLaysThem) {
   const gpu::ScreenPass sky(stack().context, shaders, "render/sky_view.glsl",
                             {gpu::Format::rgba32f, gpu::Format::rgba32f});
   EXPECT_EQ(sky.program().block_offsets("SkyBlock"), SkyBlock::offsets());
+  const gpu::VolumePass sun(shaders, "render/sun_depth.comp");
+  EXPECT_EQ(sun.program().block_offsets("SunBlock"), SunBlock::offsets());
   const gpu::ScreenPass noise(stack().context, shaders, "bake/terrain.glsl", {gpu::Format::r32f});
   EXPECT_EQ(noise.program().block_offsets("TerrainBakeBlock"), bake::TerrainBakeBlock::offsets());
   const gpu::VolumePass shape(shaders, "bake/shape.comp");

@@ -1,0 +1,264 @@
+// The volume of the clouds' depth towards the light: against closed forms and an independent march, and how it is
+// baked.
+#include "render/sun_depth.h"
+
+#include <cstring>
+#include <numeric>
+
+#include "gpu/render/fixture.h"
+#include "render/block_values.h"
+#include "render/density_export.h"
+
+namespace cloudscape::render {
+namespace {
+
+constexpr int across = SunDepths::across, layers = SunDepths::layers;
+constexpr double radius_m = 6360000;
+
+Cloudscape with_sun(Cloudscape sky, double azimuth_deg, double elevation_deg) {
+  sky.sun.azimuth_deg = azimuth_deg, sky.sun.elevation_deg = elevation_deg;
+  return sky;
+}
+
+// Density 1 between 1000 m and 3000 m.
+Cloudscape full_layer(double sun_deg) {
+  Cloudscape sky = with_sun(small_clouds(), 30, sun_deg);
+  sky.shape.threshold = -1, sky.detail.strength = 0;
+  return sky;
+}
+
+// Ten clouds or so, each some cells wide.
+Cloudscape broken_clouds(double azimuth_deg, double elevation_deg) {
+  Cloudscape sky = with_sun(small_clouds(), azimuth_deg, elevation_deg);
+  sky.volume.resolution = 64;
+  sky.shape.coverage = 0.4;
+  return sky;
+}
+
+// Between a point of this altitude and the top of the layer.
+double metres_in_shell(double altitude_m, double top_m, double sine) {
+  const double r = radius_m + altitude_m, out = radius_m + top_m;
+  return std::sqrt(r * r * sine * sine + out * out - r * r) - r * sine;
+}
+
+class SunDepthTest : public RenderTest {
+ protected:
+  static FrameRequest request_of(const Cloudscape& sky, bool may_lag = false) {
+    FrameRequest request = one_ray(sky, {{0, 0, 100}, 0, 0, 0});
+    request.light_may_lag = may_lag;
+    return request;
+  }
+  static std::shared_ptr<const bake::BakedCloudscape> baked_of(const Cloudscape& sky) {
+    const bake::BakeRecipe recipe = stack().bakes.recipe_of(sky);
+    while (!stack().bakes.find(recipe)) stack().bakes.advance(recipe);
+    return stack().bakes.find(recipe);
+  }
+  // Calls of `prepare` that it took; -1: more than there is to do.
+  static int settle(SunDepths& depths, const FrameRequest& request, std::shared_ptr<const gpu::Texture>& depth) {
+    const auto baked = baked_of(*request.cloudscape);
+    const CloudBlock cloud = cloud_block(request, *baked);
+    for (int calls = 1; calls < 1000; ++calls)
+      if (depths.prepare({request, cloud, baked}, depth)) return calls;
+    return -1;
+  }
+  static std::vector<float> values_of(const gpu::Texture& texture) {
+    const std::vector<std::uint8_t> bytes = texture.download();
+    std::vector<float> values(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+  }
+  static std::vector<float> depth_m(const Cloudscape& sky) {
+    SunDepths depths(stack().shaders);
+    std::shared_ptr<const gpu::Texture> depth;
+    EXPECT_GT(settle(depths, request_of(sky), depth), 1);
+    return values_of(*depth);
+  }
+};
+
+TEST_F(SunDepthTest, OfAFullLayerItIsTheWayThroughTheShell) {
+  for (const double sun_deg : {70.0, 30.0, 5.0, 0.5}) {
+    const std::vector<float> depth = depth_m(full_layer(sun_deg));
+    for (const int layer : {0, 7, layers - 1}) {
+      const double altitude_m = 1000 + 2000.0 * layer / (layers - 1);
+      const double exact_m = metres_in_shell(altitude_m, 3000, std::sin(radians(sun_deg)));
+      const auto cell = static_cast<std::size_t>((layer * across + 40) * across + 17);
+      EXPECT_NEAR(depth[cell], exact_m, 0.002 * exact_m + 1e-3) << "sun " << sun_deg << ", layer " << layer;
+    }
+  }
+}
+
+// All voxels of a tile, and a march through them by nearest voxels that knows nothing of the device's.
+struct Voxels {
+  std::vector<float> density;
+  glm::ivec3 size;
+  double voxel_m;
+
+  double at(const glm::dvec3& p_m) const {  // from the tile's corner
+    const int z = static_cast<int>(std::floor(p_m.z / voxel_m));
+    if (z < 0 || z >= size.z) return 0;
+    const auto wrapped = [&](double m, int n) {
+      const int i = static_cast<int>(std::floor(m / voxel_m)) % n;
+      return i < 0 ? i + n : i;
+    };
+    const int index = (z * size.y + wrapped(p_m.y, size.y)) * size.x + wrapped(p_m.x, size.x);
+    return density[static_cast<std::size_t>(index)];
+  }
+  double march_m(const glm::dvec3& from_m, const glm::dvec3& light) const {
+    const double step_m = 0.3 * voxel_m;
+    double sum_m = 0;
+    for (double t = 0.5 * step_m; from_m.z + t * light.z < size.z * voxel_m; t += step_m)
+      sum_m += step_m * at(from_m + t * light);
+    return sum_m;
+  }
+};
+
+Voxels voxels_of(DensityExport source) {
+  Voxels voxels{{}, source.size(), source.voxel_m()};
+  for (int z = 0; z < source.size().z; z += DensityExport::slab) {
+    const std::vector<float> slab = source.slices(z);
+    voxels.density.insert(voxels.density.end(), slab.begin(), slab.end());
+  }
+  return voxels;
+}
+
+struct Likeness {
+  double mean_ratio, correlation;
+};
+
+Likeness likeness(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto mean = [](const std::vector<double>& v) { return std::reduce(v.begin(), v.end()) / double(v.size()); };
+  const double mean_a = mean(a), mean_b = mean(b);
+  double aa = 0, bb = 0, ab = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    aa += (a[i] - mean_a) * (a[i] - mean_a), bb += (b[i] - mean_b) * (b[i] - mean_b);
+    ab += (a[i] - mean_a) * (b[i] - mean_b);
+  }
+  return {mean_a / mean_b, ab / std::sqrt(aa * bb)};
+}
+
+// Detail included, which the volume has as a mean only. The last columns of the tile see over its edge.
+TEST_F(SunDepthTest, OfBrokenCloudsItIsWhatAFineMarchSees) {
+  for (const double sun_deg : {50.0, 15.0}) {
+    const Cloudscape sky = broken_clouds(90, sun_deg);
+    const auto baked = baked_of(sky);
+    const Voxels voxels = voxels_of(DensityExport(stack().shaders, sky, *baked, 192));
+    const CloudBlock cloud = cloud_block(request_of(sky), *baked);
+    const std::vector<float> depth = depth_m(sky);
+    const glm::dvec3 light = direction_of_light(sky);
+    for (const int first : {0, across - 6}) {
+      std::vector<double> seen, marched;
+      for (int y = 0; y < across; y += 3)
+        for (int x = first; x < (first == 0 ? across : across - 1); x += first == 0 ? 5 : 1) {
+          const glm::dvec3 from_m((x + 0.5) / across * 8000, (y + 0.5) / across * 8000, double(cloud.march.z) - 1000);
+          marched.push_back(voxels.march_m(from_m, light));
+          seen.push_back(depth[static_cast<std::size_t>(y * across + x)]);
+        }
+      const Likeness like = likeness(seen, marched);
+      EXPECT_GT(like.correlation, 0.96) << "sun " << sun_deg << ", from column " << first;
+      EXPECT_NEAR(like.mean_ratio, 1, 0.1) << "sun " << sun_deg << ", from column " << first;
+    }
+  }
+}
+
+TEST_F(SunDepthTest, EverySliceIsAsLongAsTheOthersAndAMovedSunBakesNoDensity) {
+  SunDepths depths(stack().shaders);
+  std::shared_ptr<const gpu::Texture> first, second, again;
+  constexpr int slices = layers / SunDepths::layers_per_slice;  // one level: coverage is the same everywhere
+  EXPECT_EQ(settle(depths, request_of(broken_clouds(10, 40)), first), 2 * slices);
+  EXPECT_EQ(depths.slices(), 2 * slices);
+  EXPECT_EQ(settle(depths, request_of(broken_clouds(20, 30)), second), slices);
+  EXPECT_EQ(depths.slices(), 3 * slices);
+  EXPECT_EQ(settle(depths, request_of(broken_clouds(10, 40)), again), 1) << "it is kept";
+  EXPECT_EQ(again, first);
+  EXPECT_EQ(values_of(*second), depth_m(broken_clouds(20, 30))) << "the same bytes whatever came before";
+}
+
+TEST_F(SunDepthTest, AFrameThatMayLagTakesTheLastThatIsDoneAndIsRightOnceTheSunStands) {
+  SunDepths depths(stack().shaders);
+  std::shared_ptr<const gpu::Texture> before;
+  settle(depths, request_of(broken_clouds(10, 40)), before);
+  int waits = 0;
+  for (int frame = 0; frame < 10; ++frame) {
+    std::shared_ptr<const gpu::Texture> depth;
+    const int done = depths.slices();
+    waits += settle(depths, request_of(broken_clouds(10 + frame, 40 - frame), true), depth) - 1;
+    EXPECT_LE(depths.slices(), done + 1) << "one slice a frame";
+    if (frame == 1) {
+      EXPECT_EQ(depth, before);
+    }
+    if (frame == 9) {
+      EXPECT_NE(depth, before) << "a light on the way was baked to its end";
+    }
+  }
+  EXPECT_EQ(waits, 0);
+  std::shared_ptr<const gpu::Texture> settled;
+  for (int frame = 0; frame < 10; ++frame) {
+    settled.reset();
+    settle(depths, request_of(broken_clouds(19, 31), true), settled);
+  }
+  EXPECT_EQ(values_of(*settled), depth_m(broken_clouds(19, 31)));
+}
+
+// Lit by nothing but the sun; a layer that stands alone over 8 km.
+Cloudscape shaded_ground(bool clouds) {
+  Cloudscape sky = full_layer(60);
+  sky.sun.irradiance = glm::dvec3(1), sky.sun.disc = false;
+  sky.sky.kind = SkyKind::none;
+  sky.ground.kind = GroundKind::plain, sky.ground.albedo = glm::dvec3(0.5), sky.ground.variation = 0;
+  sky.sun.azimuth_deg = 0;
+  sky.volume.tiling = false;
+  sky.medium.extinction_per_m = clouds ? 0.01 : 0;
+  return sky;
+}
+
+TEST_F(SunDepthTest, GroundBehindALayerIsAsDarkAsTwoStreamsSay) {
+  const auto ratio = [](const glm::dvec3& position_m) {
+    const CameraPose down{position_m, 0, -89.9, 0};
+    return red(render(one_ray(shaded_ground(true), down))) / red(render(one_ray(shaded_ground(false), down)));
+  };
+  const double depth = 0.01 * 2000 / std::sin(radians(60));
+  const double g = shaded_ground(true).medium.phase.asymmetry_g;
+  EXPECT_NEAR(ratio({4000, 4000, 500}), 1 / (1 + 0.75 * (1 - g) * depth), 0.005);
+  EXPECT_NEAR(ratio({4000, 7900, 500}), 1, 1e-4) << "its light passes the edge";
+  // Light that enters by the side, 1000 m away.
+  const double side_depth = 0.01 * (3000 - 1000 * std::tan(radians(60))) / std::sin(radians(60));
+  EXPECT_NEAR(ratio({4000, -1000, 500}), 1 / (1 + 0.75 * (1 - g) * side_depth), 0.01);
+  EXPECT_NEAR(ratio({4000, -3000, 500}), 1, 1e-4) << "beside it";
+}
+
+// Air without haze over black ground, seen from beneath an endless layer through which hardly anything comes.
+TEST_F(SunDepthTest, AirInTheShadowOfALayerLosesItsDirectHalf) {
+  const auto radiance = [](bool clouds, const CameraPose& pose, bool tiling) {
+    Cloudscape sky = full_layer(60);
+    sky.sun.azimuth_deg = 0, sky.sun.disc = false;
+    sky.sky.haze = 0;
+    sky.ground.kind = GroundKind::plain, sky.ground.albedo = glm::dvec3(0);
+    sky.volume.tiling = tiling;
+    sky.medium.extinction_per_m = clouds ? 10 : 0;
+    return red(render(one_beam(sky, pose)));
+  };
+  const CameraPose down{{4000, 4000, 800}, 0, -80, 0};
+  EXPECT_NEAR(radiance(true, down, true) / radiance(false, down, true), 0.5, 0.01);
+  // Beneath a layer alone: from 2 km before the end of its shadow to 2 km beyond it.
+  const double shadow_ends_m = 8000 - 1000 / std::tan(radians(60));
+  const CameraPose along{{4000, shadow_ends_m - 2000, 200}, 0, degrees(std::atan(-200.0 / 4000)), 0};
+  EXPECT_NEAR(radiance(true, along, false) / radiance(false, along, false), 0.75, 0.03);
+}
+
+TEST_F(SunDepthTest, WithoutCloudsNothingIsInTheirShadow) {
+  for (const bool formula : {false, true}) {
+    Cloudscape sky = small_clouds(), empty = sky;
+    if (formula) sky = homogeneous(VolumeKind::box, {0, 90000, 0}, {10, 10, 10}, 1), sky.sky.kind = SkyKind::clear;
+    sky.shape.threshold = 10;
+    empty = sky, empty.medium.extinction_per_m = 0;
+    const auto picture = [](const Cloudscape& shown) {
+      FrameRequest request = one_ray(shown, {{0, 0, 300}, 40, 5, 0});
+      request.size_px = {32, 18};
+      return render(request).radiance_rgba;
+    };
+    EXPECT_EQ(picture(sky), picture(empty));
+  }
+}
+
+}  // namespace
+}  // namespace cloudscape::render
