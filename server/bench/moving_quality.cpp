@@ -140,7 +140,7 @@ void add_passes(std::vector<PassTime>& sums, const std::vector<PassTime>& passes
     if (sum == sums.end())
       sums.push_back(pass);
     else
-      sum->ms += pass.ms;
+      sum->ms += pass.ms, sum->cpu_ms += pass.cpu_ms;
   }
 }
 

@@ -27,7 +27,7 @@ const ScreenPass& Passes::scene_with_water(bool float32) const {
 }
 
 void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin,
-                   int row_end) const {
+                   int row_end, PassClock& clock) const {
   const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
   const Binding tables[] = {{8, &sky.air->transmittance}, {10, &sky.lights->light}, {14, &sky.view->aerial}};
@@ -51,28 +51,36 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   const int scene_end = std::min(row_end * divisor, targets.size.height);
   const ScreenPass& scene_pass = medium.water ? scene_with_water(targets.float32) : precision.scene;
   scene_pass.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
+  clock.lap("scene");
   precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
+  clock.lap("march");
 }
 
-void Passes::composite(const Targets& targets, const Accumulation& previous) const {
+void Passes::composite(const Targets& targets, const Accumulation& previous, PassClock& clock) const {
   if (targets.smooth) {
     const Binding march[] = {{0, &targets.march_radiance}, {1, &targets.march_depth}};
     const Texture* smooth[] = {&targets.smooth_radiance, &targets.smooth_depth};
     smooth_.run({0, 0, targets.march_radiance.width(), targets.march_radiance.height()}, smooth, march);
+    clock.lap("smooth");
   }
   const Binding textures[] = {{0, &targets.scene_radiance}, {1, &targets.scene_depth}, {2, &targets.clouds()},
                               {3, &targets.clouds_depth()}, {4, &previous.radiance},   {5, &previous.depth}};
   const Texture* output[] = {&targets.scratch.radiance, &targets.scratch.depth};
   composite_.run({0, 0, targets.size.width, targets.size.height}, output, textures);
+  clock.lap("composite");
 }
 
-void Passes::tone_map(const Targets& targets, const Accumulation& accumulation) const {
+void Passes::tone_map(const Targets& targets, const Accumulation& accumulation, PassClock& clock) const {
   const gpu::Rect all{0, 0, targets.size.width, targets.size.height};
   const Texture* output[] = {&targets.display};
-  const Binding plain[] = {{0, &accumulation.radiance}};
-  if (!targets.bloom) return tone_map_.run(all, output, plain);
-  const Binding textures[] = {plain[0], {1, &bloom_.glow(*targets.bloom, accumulation.radiance)}};
-  tone_map_bloom_.run(all, output, textures);
+  const Texture* glow = targets.bloom ? &bloom_.glow(*targets.bloom, accumulation.radiance) : nullptr;
+  if (glow) clock.lap("bloom");
+  const Binding plain[] = {{0, &accumulation.radiance}}, glowing[] = {plain[0], {1, glow}};
+  if (glow)
+    tone_map_bloom_.run(all, output, glowing);
+  else
+    tone_map_.run(all, output, plain);
+  clock.lap("tone_map");
 }
 
 void Passes::reload(gpu::ShaderLibrary& shaders) {

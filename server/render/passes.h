@@ -8,6 +8,7 @@
 #include "gpu/pass.h"
 #include "render/bloom.h"
 #include "render/in_scatter_volumes.h"
+#include "render/pass_clock.h"
 #include "render/sky_tables.h"
 #include "render/targets.h"
 
@@ -25,11 +26,11 @@ class Passes {
     const InScatterVolume* in_scatter = nullptr;
     bool water = false;  // whether the scene has any
   };
-  void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;
+  void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end, PassClock& clock) const;
   // The whole picture into targets.scratch, averaged with `previous`.
-  void composite(const Targets& targets, const Accumulation& previous) const;
+  void composite(const Targets& targets, const Accumulation& previous, PassClock& clock) const;
   // With the glow of `targets.bloom`, if there is one.
-  void tone_map(const Targets& targets, const Accumulation& accumulation) const;
+  void tone_map(const Targets& targets, const Accumulation& accumulation, PassClock& clock) const;
   const Bloom& bloom() const { return bloom_; }
   void reload(gpu::ShaderLibrary& shaders);
 

@@ -40,7 +40,7 @@ Resolver::Shared& Resolver::shared_of(ImageSize kept, ImageSize marched) {
   return shared;
 }
 
-void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched) {
+void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock) {
   const ResolvePlan& plan = frame.plan;
   Shared& shared = shared_of(plan.kept, plan.marched);
   Picture& picture = pictures_[frame.asked.stream];
@@ -52,12 +52,14 @@ void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched) 
   const Texture* range[] = {&shared.least, &shared.greatest};
   const Binding seen[] = {{0, &marched.radiance}, {1, &marched.depth}};
   range_.run(whole(plan.marched), range, seen);
+  clock.lap("range");
   const Binding textures[] = {{0, &marched.radiance},
                               {1, &shared.least},
                               {2, &shared.greatest},
                               {3, before ? &picture.radiance : &marched.radiance}};
   const Texture* output[] = {&shared.spare};
   resolve_.run(whole(plan.kept), output, textures);
+  clock.lap("resolve");
   std::swap(picture.radiance, shared.spare);
   if (shared.spare && (shared.spare.width() != plan.kept.width || shared.spare.height() != plan.kept.height))
     shared.spare = {};
@@ -74,12 +76,13 @@ const Texture* Resolver::glow(const ResolvedFrame& frame, const Bloom& bloom, co
   return &bloom.glow(*chain, radiance);
 }
 
-const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom) {
+const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom, PassClock& clock) {
   const Picture& picture = pictures_.at(frame.asked.stream);
   const ImageSize size = frame.plan.shown;
   if (!display_ || display_.width() != size.width || display_.height() != size.height)
     display_ = Texture(Format::rgba8, size.width, size.height, "shown picture");
   const Texture* glows = glow(frame, bloom, picture.radiance);
+  if (glows) clock.lap("bloom");
   block_.upload(picture.block);  // other streams' frames may have come in between
   block_.bind();
   const Texture* output[] = {&display_};
@@ -88,6 +91,7 @@ const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom)
     present_bloom_.run(whole(frame.plan.shown), output, glowing);
   else
     present_.run(whole(frame.plan.shown), output, plain);
+  clock.lap("present");
   return display_;
 }
 

@@ -6,6 +6,7 @@
 
 #include "gpu/pass.h"
 #include "render/bloom.h"
+#include "render/pass_clock.h"
 #include "render/resolve_plan.h"
 #include "render/targets.h"
 
@@ -24,9 +25,9 @@ class Resolver {
   ResolvedFrame begin(const FrameRequest& asked) const;
   // Continues the stream's picture with what was marched into `marched` (radiance and distance of what is seen). The
   // frame block of the marched request must be bound.
-  void resolve(const ResolvedFrame& frame, const Accumulation& marched);
+  void resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock);
   // The stream's picture as it is displayed; until the next one is. The frame block must be bound.
-  const gpu::Texture& present(const ResolvedFrame& frame, const Bloom& bloom);
+  const gpu::Texture& present(const ResolvedFrame& frame, const Bloom& bloom, PassClock& clock);
   // Drops the stream's picture if it is not of this view: another frame, which did not continue it, has shown that.
   void outdate(const FrameRequest& shown);
   void forget(StreamId stream) { pictures_.erase(stream); }
