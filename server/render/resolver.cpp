@@ -12,6 +12,13 @@ Texture picture_texture(ImageSize size, const char* label) {
   return texture;
 }
 
+// Makes it anew where its size is another.
+void fit(Texture& texture, ImageSize size, const char* label) {
+  if (texture && texture.width() == size.width && texture.height() == size.height) return;
+  texture = Texture(Format::rgba8, size.width, size.height, label);
+  texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
+}
+
 gpu::Rect whole(ImageSize size) { return {0, 0, size.width, size.height}; }
 
 }  // namespace
@@ -19,8 +26,9 @@ gpu::Rect whole(ImageSize size) { return {0, 0, size.width, size.height}; }
 Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
     : range_(context, shaders, "render/resolve_range.glsl", {Format::rgba16f, Format::rgba16f}),
       resolve_(context, shaders, "render/resolve.glsl", {Format::rgba16f}),
-      present_(context, shaders, "render/present.glsl", {Format::rgba8}),
-      present_bloom_(context, shaders, "render/present_bloom.glsl", {Format::rgba8}),
+      develop_(context, shaders, "render/develop.glsl", {Format::rgba8}),
+      develop_bloom_(context, shaders, "render/develop_bloom.glsl", {Format::rgba8}),
+      enlarge_(context, shaders, "render/enlarge.glsl", {Format::rgba8}),
       block_("resolve") {}
 
 ResolvedFrame Resolver::begin(const FrameRequest& asked) const {
@@ -78,21 +86,32 @@ const Texture* Resolver::glow(const ResolvedFrame& frame, const Bloom& bloom, co
 
 const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom, PassClock& clock) {
   const Picture& picture = pictures_.at(frame.asked.stream);
-  const ImageSize size = frame.plan.shown;
-  if (!display_ || display_.width() != size.width || display_.height() != size.height)
-    display_ = Texture(Format::rgba8, size.width, size.height, "shown picture");
+  const ResolvePlan& plan = frame.plan;
+  fit(display_, plan.shown, "shown picture");
   const Texture* glows = glow(frame, bloom, picture.radiance);
   if (glows) clock.lap("bloom");
   block_.upload(picture.block);  // other streams' frames may have come in between
   block_.bind();
+  const bool same_size = plan.kept == plan.shown;
+  if (!same_size) fit(developed_, plan.kept, "developed picture");
+  develop(picture.radiance, glows, same_size ? display_ : developed_);
+  clock.lap("develop");
+  if (same_size) return display_;
   const Texture* output[] = {&display_};
-  const Binding plain[] = {{0, &picture.radiance}}, glowing[] = {{0, &picture.radiance}, {1, glows}};
-  if (glows)
-    present_bloom_.run(whole(frame.plan.shown), output, glowing);
-  else
-    present_.run(whole(frame.plan.shown), output, plain);
-  clock.lap("present");
+  const Binding developed[] = {{0, &developed_}};
+  enlarge_.run(whole(plan.shown), output, developed);
+  clock.lap("enlarge");
   return display_;
+}
+
+void Resolver::develop(const Texture& radiance, const Texture* glow, const Texture& target) const {
+  const Texture* output[] = {&target};
+  const Binding plain[] = {{0, &radiance}}, glowing[] = {{0, &radiance}, {1, glow}};
+  const gpu::Rect all{0, 0, target.width(), target.height()};
+  if (glow)
+    develop_bloom_.run(all, output, glowing);
+  else
+    develop_.run(all, output, plain);
 }
 
 void Resolver::outdate(const FrameRequest& shown) {
@@ -118,7 +137,7 @@ std::size_t Resolver::bytes() const {
 }
 
 void Resolver::reload(gpu::ShaderLibrary& shaders) {
-  for (gpu::ScreenPass* pass : {&range_, &resolve_, &present_, &present_bloom_}) pass->reload(shaders);
+  for (gpu::ScreenPass* pass : {&range_, &resolve_, &develop_, &develop_bloom_, &enlarge_}) pass->reload(shaders);
 }
 
 }  // namespace cloudscape::render

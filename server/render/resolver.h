@@ -48,13 +48,14 @@ class Resolver {
     std::unique_ptr<BloomChain> bloom;
   };
   Shared& shared_of(ImageSize kept, ImageSize marched);
+  void develop(const gpu::Texture& radiance, const gpu::Texture* glow, const gpu::Texture& target) const;
   const gpu::Texture* glow(const ResolvedFrame& frame, const Bloom& bloom, const gpu::Texture& radiance);
 
-  gpu::ScreenPass range_, resolve_, present_, present_bloom_;
+  gpu::ScreenPass range_, resolve_, develop_, develop_bloom_, enlarge_;
   gpu::UniformBlock<ResolveBlock> block_;
   std::map<StreamId, Picture> pictures_;
   std::map<std::pair<int, int>, Shared> shared_;
-  gpu::Texture display_;
+  gpu::Texture developed_, display_;
 };
 
 }  // namespace cloudscape::render

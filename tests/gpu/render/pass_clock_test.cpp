@@ -29,7 +29,7 @@ TEST_F(PassClockTest, every_pass_is_named_once_in_its_order) {
   EXPECT_THAT(names_of(render(timed(1))),
               testing::ElementsAre("sky", "scene", "march", "composite", "bloom", "tone_map", "read_back"));
   EXPECT_THAT(names_of(render(timed(4))), testing::ElementsAre("sky", "scene", "march", "composite", "range", "resolve",
-                                                               "bloom", "present", "read_back"));
+                                                               "bloom", "develop", "read_back"));
 }
 
 TEST_F(PassClockTest, passes_add_up_to_the_frame) {
