@@ -19,15 +19,23 @@ Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       tone_map_bloom_(context, shaders, "render/tone_map_bloom.glsl", {Format::rgba8}),
       bloom_(context, shaders) {}
 
-const ScreenPass& Passes::scene_with_water(bool float32) const {
-  auto& pass = scenes_with_water_[float32 ? 1 : 0];
+SceneKind scene_kind_of(const Cloudscape& cloudscape) {
+  if (cloudscape.ground.water.level_m) return SceneKind::water;
+  return cloudscape.ground.kind == GroundKind::terrain ? SceneKind::land : SceneKind::plain;
+}
+
+const ScreenPass& Passes::scene_with(SceneKind kind, bool float32) const {
+  if (kind == SceneKind::plain) return float32 ? full_.scene : half_.scene;
+  const bool water = kind == SceneKind::water;
+  auto& pass = scenes_[(water ? 2 : 0) + (float32 ? 1 : 0)];
   const Format radiance = float32 ? Format::rgba32f : Format::rgba16f;
-  if (!pass) pass.emplace(context_, shaders_, "render/scene_water.glsl", std::vector{radiance, Format::r32f});
+  const char* path = water ? "render/scene_water.glsl" : "render/scene_land.glsl";
+  if (!pass) pass.emplace(context_, shaders_, path, std::vector{radiance, Format::r32f});
   return *pass;
 }
 
-void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin,
-                   int row_end, PassClock& clock) const {
+void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end,
+                   PassClock& clock) const {
   const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
   const Binding tables[] = {{8, &sky.air->transmittance}, {10, &sky.lights->light}, {14, &sky.view->aerial}};
@@ -49,8 +57,8 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);
-  const ScreenPass& scene_pass = medium.water ? scene_with_water(targets.float32) : precision.scene;
-  scene_pass.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
+  scene_with(medium.scene, targets.float32)
+      .run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
   clock.lap("scene");
   precision.march.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
   clock.lap("march");
@@ -87,7 +95,7 @@ void Passes::reload(gpu::ShaderLibrary& shaders) {
   for (ScreenPass* pass :
        {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_, &tone_map_, &tone_map_bloom_})
     pass->reload(shaders);
-  for (auto& pass : scenes_with_water_)
+  for (auto& pass : scenes_)
     if (pass) pass->reload(shaders);
   bloom_.reload(shaders);
 }

@@ -14,6 +14,10 @@
 
 namespace cloudscape::render {
 
+// What the scene has besides the plain: each kind is a program of its own, so that only who has it pays for it.
+enum class SceneKind { plain, land, water };
+SceneKind scene_kind_of(const Cloudscape& cloudscape);
+
 class Passes {
  public:
   Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders);
@@ -24,9 +28,10 @@ class Passes {
     std::span<const gpu::Binding> land;   // textures of the scene's terrain and water
     const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
     const InScatterVolume* in_scatter = nullptr;
-    bool water = false;  // whether the scene has any
+    SceneKind scene = SceneKind::plain;
   };
-  void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end, PassClock& clock) const;
+  void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end,
+             PassClock& clock) const;
   // The whole picture into targets.scratch, averaged with `previous`.
   void composite(const Targets& targets, const Accumulation& previous, PassClock& clock) const;
   // With the glow of `targets.bloom`, if there is one.
@@ -35,14 +40,14 @@ class Passes {
   void reload(gpu::ShaderLibrary& shaders);
 
  private:
-  const gpu::ScreenPass& scene_with_water(bool float32) const;
+  const gpu::ScreenPass& scene_with(SceneKind kind, bool float32) const;
   struct Precision {  // HDR targets of 16 or 32 bits
     gpu::ScreenPass scene, march;
   };
   Precision half_, full_;
   const gpu::Context& context_;
   gpu::ShaderLibrary& shaders_;
-  mutable std::array<std::optional<gpu::ScreenPass>, 2> scenes_with_water_;  // of 16 and 32 bits; once they are wanted
+  mutable std::array<std::optional<gpu::ScreenPass>, 4> scenes_;  // of land and water; once they are wanted
   gpu::ScreenPass smooth_, composite_, tone_map_, tone_map_bloom_;
   Bloom bloom_;
 };

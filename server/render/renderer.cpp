@@ -224,7 +224,7 @@ void Renderer::render_rows(RenderJob& job) {
   auto land = terrain_.bind(job.request, job.land);
   std::ranges::copy(water_.bind(job.request, job.water), std::back_inserter(land));
   Passes::Medium medium = medium_of(job);
-  medium.land = land, medium.water = has_water(*job.request.cloudscape);
+  medium.land = land, medium.scene = scene_kind_of(*job.request.cloudscape);
   passes_.march(*job.targets, sky, medium, job.row, end, job.passes);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
   job.row = end;

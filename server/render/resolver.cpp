@@ -2,7 +2,7 @@
 
 namespace cloudscape::render {
 
-using gpu::Binding, gpu::Format, gpu::Texture;
+using gpu::Binding, gpu::Format, gpu::ScreenPass, gpu::Texture;
 
 namespace {
 
@@ -24,10 +24,10 @@ gpu::Rect whole(ImageSize size) { return {0, 0, size.width, size.height}; }
 }  // namespace
 
 Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
-    : range_(context, shaders, "render/resolve_range.glsl", {Format::rgba16f, Format::rgba16f}),
+    : context_(context),
+      shaders_(shaders),
+      range_(context, shaders, "render/resolve_range.glsl", {Format::rgba16f, Format::rgba16f}),
       resolve_(context, shaders, "render/resolve.glsl", {Format::rgba16f}),
-      develop_(context, shaders, "render/develop.glsl", {Format::rgba8}),
-      develop_bloom_(context, shaders, "render/develop_bloom.glsl", {Format::rgba8}),
       enlarge_(context, shaders, "render/enlarge.glsl", {Format::rgba8}),
       block_("resolve") {}
 
@@ -94,7 +94,7 @@ const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom,
   block_.bind();
   const bool same_size = plan.kept == plan.shown;
   if (!same_size) fit(developed_, plan.kept, "developed picture");
-  develop(picture.radiance, glows, same_size ? display_ : developed_);
+  develop(picture.radiance, glows, frame.asked.display.tone_curve, same_size ? display_ : developed_);
   clock.lap("develop");
   if (same_size) return display_;
   const Texture* output[] = {&display_};
@@ -104,14 +104,20 @@ const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom,
   return display_;
 }
 
-void Resolver::develop(const Texture& radiance, const Texture* glow, const Texture& target) const {
+ScreenPass& Resolver::developing(ToneCurve curve, bool glows) {
+  const auto found = develop_.find({curve, glows});
+  if (found != develop_.end()) return found->second;
+  const std::string define = "#define TONE_CURVE " + std::to_string(static_cast<int>(curve)) + "\n";
+  const char* path = glows ? "render/develop_bloom.glsl" : "render/develop.glsl";
+  ScreenPass pass(context_, shaders_, path, {Format::rgba8}, define);
+  return develop_.emplace(std::pair{curve, glows}, std::move(pass)).first->second;
+}
+
+void Resolver::develop(const Texture& radiance, const Texture* glow, ToneCurve curve, const Texture& target) {
   const Texture* output[] = {&target};
   const Binding plain[] = {{0, &radiance}}, glowing[] = {{0, &radiance}, {1, glow}};
-  const gpu::Rect all{0, 0, target.width(), target.height()};
-  if (glow)
-    develop_bloom_.run(all, output, glowing);
-  else
-    develop_.run(all, output, plain);
+  const ScreenPass& pass = developing(curve, glow != nullptr);
+  pass.run({0, 0, target.width(), target.height()}, output, glow ? std::span<const Binding>(glowing) : plain);
 }
 
 void Resolver::outdate(const FrameRequest& shown) {
@@ -137,7 +143,8 @@ std::size_t Resolver::bytes() const {
 }
 
 void Resolver::reload(gpu::ShaderLibrary& shaders) {
-  for (gpu::ScreenPass* pass : {&range_, &resolve_, &develop_, &develop_bloom_, &enlarge_}) pass->reload(shaders);
+  for (ScreenPass* pass : {&range_, &resolve_, &enlarge_}) pass->reload(shaders);
+  for (auto& [variant, pass] : develop_) pass.reload(shaders);
 }
 
 }  // namespace cloudscape::render

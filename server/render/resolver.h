@@ -48,10 +48,14 @@ class Resolver {
     std::unique_ptr<BloomChain> bloom;
   };
   Shared& shared_of(ImageSize kept, ImageSize marched);
-  void develop(const gpu::Texture& radiance, const gpu::Texture* glow, const gpu::Texture& target) const;
+  void develop(const gpu::Texture& radiance, const gpu::Texture* glow, ToneCurve curve, const gpu::Texture& target);
+  gpu::ScreenPass& developing(ToneCurve curve, bool glows);
   const gpu::Texture* glow(const ResolvedFrame& frame, const Bloom& bloom, const gpu::Texture& radiance);
 
-  gpu::ScreenPass range_, resolve_, develop_, develop_bloom_, enlarge_;
+  const gpu::Context& context_;
+  gpu::ShaderLibrary& shaders_;
+  std::map<std::pair<ToneCurve, bool>, gpu::ScreenPass> develop_;  // without and with a glow; once they are wanted
+  gpu::ScreenPass range_, resolve_, enlarge_;
   gpu::UniformBlock<ResolveBlock> block_;
   std::map<StreamId, Picture> pictures_;
   std::map<std::pair<int, int>, Shared> shared_;
