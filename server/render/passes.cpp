@@ -15,6 +15,8 @@ Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       shaders_(shaders),
       smooth_(context, shaders, "render/smooth.glsl", {Format::rgba16f, Format::rg32f}),
       composite_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f}),
+      composite_alone_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f},
+                       "#define WHOLE_AND_ALONE\n"),
       tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}),
       tone_map_bloom_(context, shaders, "render/tone_map_bloom.glsl", {Format::rgba8}),
       bloom_(context, shaders) {}
@@ -74,7 +76,8 @@ void Passes::composite(const Targets& targets, const Accumulation& previous, Pas
   const Binding textures[] = {{0, &targets.scene_radiance}, {1, &targets.scene_depth}, {2, &targets.clouds()},
                               {3, &targets.clouds_depth()}, {4, &previous.radiance},   {5, &previous.depth}};
   const Texture* output[] = {&targets.scratch.radiance, &targets.scratch.depth};
-  composite_.run({0, 0, targets.size.width, targets.size.height}, output, textures);
+  const bool alone = !previous.radiance && targets.march_divisor == 1;
+  (alone ? composite_alone_ : composite_).run({0, 0, targets.size.width, targets.size.height}, output, textures);
   clock.lap("composite");
 }
 
@@ -92,8 +95,8 @@ void Passes::tone_map(const Targets& targets, const Accumulation& accumulation, 
 }
 
 void Passes::reload(gpu::ShaderLibrary& shaders) {
-  for (ScreenPass* pass :
-       {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_, &tone_map_, &tone_map_bloom_})
+  for (ScreenPass* pass : {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_,
+                           &composite_alone_, &tone_map_, &tone_map_bloom_})
     pass->reload(shaders);
   for (auto& pass : scenes_)
     if (pass) pass->reload(shaders);

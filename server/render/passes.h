@@ -48,7 +48,7 @@ class Passes {
   const gpu::Context& context_;
   gpu::ShaderLibrary& shaders_;
   mutable std::array<std::optional<gpu::ScreenPass>, 4> scenes_;  // of land and water; once they are wanted
-  gpu::ScreenPass smooth_, composite_, tone_map_, tone_map_bloom_;
+  gpu::ScreenPass smooth_, composite_, composite_alone_, tone_map_, tone_map_bloom_;
   Bloom bloom_;
 };
 
