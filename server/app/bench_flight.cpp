@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include "core/cpu_time.h"
 #include "core/error.h"
 #include "stream/milliseconds.h"
 #include "stream/moving_frame.h"
@@ -48,7 +49,7 @@ bool settled(const SimulatedViewers& viewers, double warm_up_s, std::size_t stre
 
 Flown measure(GpuStack& stack, const FlightPlan& plan, FramePump& pump, SimulatedViewers& viewers) {
   viewers.measure_from_now();
-  const double cpu_ms = bench::process_cpu_ms();
+  const double cpu_ms = process_cpu_ms();
   const bench::ThreadTimes threads = bench::thread_cpu_ms();
   const int sky_bakes = stack.renderer.sky_bakes();
   const auto idle = pump_until(pump, viewers, [&] {
@@ -59,7 +60,7 @@ Flown measure(GpuStack& stack, const FlightPlan& plan, FramePump& pump, Simulate
   flown.seconds = viewers.seconds();
   flown.frames = viewers.frames();
   flown.busy_share = 1 - stream::milliseconds(idle) / (1000 * flown.seconds);
-  flown.cpu_ms = bench::process_cpu_ms() - cpu_ms;
+  flown.cpu_ms = process_cpu_ms() - cpu_ms;
   flown.threads = bench::since(threads, bench::thread_cpu_ms());
   flown.history_bytes = stack.renderer.history_bytes();
   flown.sky_bakes = stack.renderer.sky_bakes() - sky_bakes;

@@ -13,6 +13,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// tuned: while the device renders one frame another is prepared, so that it is never idle; more would only be older.
+constexpr std::size_t most_pending = 2;
+// tuned: how often the thread looks whether the device is done, while it waits for work; each look takes microseconds.
+constexpr auto look_whether_ready = std::chrono::microseconds(200);
+
 // One core in four encodes; JPEG takes a twentieth of what a frame takes to render without a GPU.
 unsigned encoder_threads() { return std::max(1U, std::thread::hardware_concurrency() / 4); }
 
@@ -24,10 +29,18 @@ FramePump::FramePump(stream::FrameScheduler& scheduler, render::Renderer& render
 FramePump::~FramePump() = default;
 
 bool FramePump::step(stream::Time deadline) {
-  const auto work = scheduler_.take(pending_ ? Clock::now() : deadline);
-  if (work) advance(*work);
-  if (pending_ && (!work || pending_->frame.ready())) collect();
-  return work.has_value();
+  collect_ready();
+  const bool waits = !pending_.empty();
+  const auto work = scheduler_.take(waits ? std::min(deadline, Clock::now() + look_whether_ready) : deadline);
+  if (work)
+    advance(*work);
+  else if (waits && scheduler_.stopped())
+    collect_oldest();
+  return work || waits;
+}
+
+void FramePump::collect_ready() {
+  while (!pending_.empty() && pending_.front().frame.ready()) collect_oldest();
 }
 
 // The unfinished job of this very work, or a new one.
@@ -49,9 +62,9 @@ void FramePump::advance(const stream::Work& work) {
       if (!scheduler_.yield(work)) drop(work.request.stream);
       return;
     }
-    if (pending_) collect();
-    pending_ = Pending{work, renderer_.finish(std::move(active.job))};
-    pending_->frame.timings.queue_ms = active.queue_ms;
+    if (pending_.size() >= most_pending) collect_oldest();
+    pending_.push_back({work, renderer_.finish(std::move(active.job))});
+    pending_.back().frame.timings.queue_ms = active.queue_ms;
     active_.erase(work.request.stream);
   } catch (const UnusableFile& error) {
     fail(work, error.what(), 422);
@@ -68,9 +81,9 @@ void FramePump::tell_progress(Active& active) {
                      render::mean_samples(*active.job->trace));
 }
 
-void FramePump::collect() {
-  Pending pending = std::move(*pending_);
-  pending_.reset();
+void FramePump::collect_oldest() {
+  Pending pending = std::move(pending_.front());
+  pending_.pop_front();
   try {
     Frame frame = renderer_.collect(std::move(pending.frame));
     if (pending.work.still) renderer_.forget(pending.work.request.stream);

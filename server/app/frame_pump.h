@@ -2,10 +2,10 @@
 // on the thread of the renderer's context.
 #pragma once
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "app/encode_pool.h"
@@ -27,7 +27,8 @@ class FramePump {
   FramePump(stream::FrameScheduler& scheduler, render::Renderer& renderer, Sink sink);
   ~FramePump();  // finishes what the encoders were given
 
-  // Renders a slice of what is next, if there is work before `deadline`: false, there was none.
+  // Renders a slice of what is next, if there is work before `deadline`, and hands over what is ready: false, there was
+  // nothing to do.
   bool step(stream::Time deadline);
   // Forgets streams that were closed and stills that were cancelled.
   void drop_the_gone();
@@ -46,7 +47,8 @@ class FramePump {
   void advance(const stream::Work& work);
   Active& active_of(const stream::Work& work);
   void tell_progress(Active& active);
-  void collect();
+  void collect_oldest();
+  void collect_ready();
   void encode(const stream::Work& work, Frame frame);
   void fail(const stream::Work& work, const std::string& message, int status = 500);
   void drop(StreamId stream);
@@ -55,7 +57,7 @@ class FramePump {
   render::Renderer& renderer_;
   const Sink sink_;
   std::map<StreamId, Active> active_;
-  std::optional<Pending> pending_;
+  std::deque<Pending> pending_;  // on their way back from the device, oldest first; each of another stream
   EncodePool encoders_;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/formatted.h"
 #include "core/version.h"
 #include "encode/encode.h"
 
@@ -43,10 +44,29 @@ FrameTimes measure_frames(render::Renderer& renderer, const FrameRequest& reques
     encode.push_back(jpeg.encode_ms);
     times.jpeg_bytes += static_cast<double>(jpeg.bytes.size()) / frames;
   }
+  each.time_passes = true;
+  times.passes = renderer.render(each).timings.passes;
   renderer.forget(bench_stream);
   times.render = spread_of(render), times.gpu = spread_of(gpu), times.encode = spread_of(encode);
   return times;
 }
+
+namespace {
+
+std::string passes_of(const FrameTimes& row) {
+  if (row.passes.empty()) return {};
+  std::string text = "   ";
+  for (const PassTime& pass : row.passes) text += formatted(" %s %.1f", pass.name.c_str(), pass.ms);
+  return text + " ms\n";
+}
+
+nlohmann::ordered_json json_of(const std::vector<PassTime>& passes) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const PassTime& pass : passes) list.push_back({{"name", pass.name}, {"ms", pass.ms}, {"cpu_ms", pass.cpu_ms}});
+  return list;
+}
+
+}  // namespace
 
 std::string table_of(const std::vector<FrameTimes>& rows) {
   char line[160];
@@ -58,7 +78,7 @@ std::string table_of(const std::vector<FrameTimes>& rows) {
     std::snprintf(line, sizeof line, "%-24.24s %-12s %9s %3d  %9.1f %9.1f %9.1f  %9.1f  %9.2f %7.1f\n",
                   row.cloudscape.c_str(), row.quality.c_str(), size.c_str(), row.march_divisor, row.render.median_ms,
                   row.render.p95_ms, row.render.max_ms, row.gpu.median_ms, row.encode.median_ms, row.jpeg_bytes / 1024);
-    text += line;
+    text += line + passes_of(row);
   }
   return text;
 }
@@ -75,7 +95,8 @@ std::string json_of(const std::vector<FrameTimes>& rows, const std::string& rend
                     {"render", json_of(row.render)},
                     {"device", json_of(row.gpu)},
                     {"encode", json_of(row.encode)},
-                    {"jpeg_bytes", row.jpeg_bytes}});
+                    {"jpeg_bytes", row.jpeg_bytes},
+                    {"passes", json_of(row.passes)}});
   }
   const nlohmann::ordered_json document{{"benchmark", "frames"},
                                         {"program_version", version},

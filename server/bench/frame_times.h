@@ -17,8 +17,9 @@ struct FrameTimes {
   std::string cloudscape, quality;
   ImageSize size_px;
   int march_divisor = 1, frames = 0;
-  Spread render, gpu, encode;  // wall time of the render thread; device time; JPEG of quality 80, 4:2:0
-  double jpeg_bytes = 0;       // of a frame, mean
+  Spread render, gpu, encode;         // wall time of the render thread; device time; JPEG of quality 80, 4:2:0
+  double jpeg_bytes = 0;              // of a frame, mean
+  std::vector<PassTime> passes = {};  // of one more frame, whose passes are waited for
 };
 
 // Renders `frames` frames after `warm_up` that are not counted (they bake, and compile shaders).

@@ -53,6 +53,7 @@ void fly_leg(const QualityRun& run, const Leg& leg, Flight& flight, MovingQualit
     request.time_passes = true;
     const Frame frame = run.draw(request);
     add_passes(quality.passes, frame.timings.passes);
+    ++quality.timed_frames;
     if ((i + 1) % compared_every == 0) quality.compared.push_back(compare(run, frame, time_s));
   }
 }
@@ -140,7 +141,7 @@ void add_passes(std::vector<PassTime>& sums, const std::vector<PassTime>& passes
     if (sum == sums.end())
       sums.push_back(pass);
     else
-      sum->ms += pass.ms;
+      sum->ms += pass.ms, sum->cpu_ms += pass.cpu_ms;
   }
 }
 

@@ -50,6 +50,7 @@ struct MovingQuality {
   std::vector<ComparedFrame> compared;
   FlickerFigure still, pan;
   std::vector<PassTime> passes;  // sums over all moving frames of the legs
+  int timed_frames = 0;
 };
 
 MovingQuality judge_moving(const QualityRun& run);

@@ -53,19 +53,20 @@ std::string flight_table(const RealtimeResults& results) {
   return text + formatted("\nbytes of a frame           %.1f KiB\n", flight.bytes / 1024);
 }
 
-std::string passes_table(const std::vector<PassTime>& passes) {
+std::string passes_table(const std::vector<PassTime>& passes, int frames) {
   if (passes.empty()) return "passes                     not told by the renderer\n";
-  std::string text = "passes                    ";
+  std::string text = formatted("  %-24s %9s %9s %9s\n", "passes of a frame", "ms", "CPU ms", "share");
   for (const PassTime& pass : passes)
-    text += formatted(" %s %.1f %%", pass.name.c_str(), 100 * pass.ms / std::max(total_of(passes), 1e-9));
-  return text + "\n";
+    text += formatted("  %-24s %9.2f %9.2f %7.1f %%\n", pass.name.c_str(), pass.ms / std::max(1, frames),
+                      pass.cpu_ms / std::max(1, frames), 100 * pass.ms / std::max(total_of(passes), 1e-9));
+  return text;
 }
 
 std::string quality_table(const MovingQuality& quality) {
   std::string text = formatted("\nmoving pictures, %s, before the encoder\n", words_of(quality.detail).c_str());
   if (!quality.compared.empty()) {
     const QualityFigures figures = figures_of(quality.compared);
-    text += passes_table(quality.passes);
+    text += passes_table(quality.passes, quality.timed_frames);
     text += formatted("LDR-FLIP (%.0f px a degree)  mean %.4f, worst %.4f of %zu frames\n", flip_pixels_per_degree,
                       figures.flip_mean, figures.flip_worst, quality.compared.size());
     text += formatted("PSNR                       mean %.1f dB, worst %.1f dB\n", figures.psnr_mean_db,
@@ -102,7 +103,10 @@ Json quality_json(const MovingQuality& quality, const QualityRun& run) {
   for (const ComparedFrame& frame : quality.compared)
     frames.push_back({{"time_s", frame.time_s}, {"flip", frame.flip}, {"psnr_db", frame.psnr_db}});
   for (const PassTime& pass : quality.passes)
-    passes.push_back({{"name", pass.name}, {"share", pass.ms / std::max(total_of(quality.passes), 1e-9)}});
+    passes.push_back({{"name", pass.name},
+                      {"ms_per_frame", pass.ms / std::max(1, quality.timed_frames)},
+                      {"cpu_ms_per_frame", pass.cpu_ms / std::max(1, quality.timed_frames)},
+                      {"share", pass.ms / std::max(total_of(quality.passes), 1e-9)}});
   return {{"detail", quality.detail},
           {"truth_samples", run.truth_samples},
           {"passes", std::move(passes)},

@@ -1,16 +1,9 @@
 #include "bench/thread_times.h"
 
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 
 namespace cloudscape::bench {
-
-double process_cpu_ms() {
-  std::timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 std::string without_number(const std::string& thread_name) {
   const std::size_t last = thread_name.find_last_not_of("0123456789-:");

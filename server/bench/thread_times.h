@@ -5,8 +5,6 @@
 
 namespace cloudscape::bench {
 
-double process_cpu_ms();  // threads that have ended included
-
 // Of the threads that there are, by name; threads whose names differ only in a number at the end count together.
 using ThreadTimes = std::map<std::string, double>;
 ThreadTimes thread_cpu_ms();

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bench/frame_times.h"
-#include "bench/thread_times.h"
+#include "core/cpu_time.h"
 
 namespace cloudscape::bench {
 namespace {

@@ -44,7 +44,8 @@ struct FrameRequest {
 
 struct PassTime {
   std::string name;
-  double ms = 0;
+  double ms = 0;      // of the device; wall time where that is the processor
+  double cpu_ms = 0;  // of all threads of the process; 0 with a GPU
 };
 
 struct FrameTimings {

@@ -82,12 +82,16 @@ void upload(UniformBuffer& block, const Numbers& numbers) {
 }  // namespace
 
 ScreenPass::ScreenPass(const Context& context, ShaderLibrary& shaders, const std::string& path,
-                       std::vector<Format> targets)
-    : ScreenPass(context.execution(), shaders, path, std::move(targets)) {}
+                       std::vector<Format> targets, const std::string& defines)
+    : ScreenPass(context.execution(), shaders, path, std::move(targets), defines) {}
 
 ScreenPass::ScreenPass(PassExecution execution, ShaderLibrary& shaders, const std::string& path,
-                       std::vector<Format> targets)
-    : path_(path), formats_(std::move(targets)), execution_(execution), rect_(sizeof(Rect), path + " rect") {
+                       std::vector<Format> targets, std::string defines)
+    : path_(path),
+      defines_(std::move(defines)),
+      formats_(std::move(targets)),
+      execution_(execution),
+      rect_(sizeof(Rect), path + " rect") {
   if (formats_.empty() || formats_.size() > most_targets)
     throw Error("the screen pass '" + path + "' needs 1 to " + std::to_string(most_targets) + " targets");
   program_ = build(shaders);
@@ -95,7 +99,7 @@ ScreenPass::ScreenPass(PassExecution execution, ShaderLibrary& shaders, const st
 
 Program ScreenPass::build(ShaderLibrary& shaders) const {
   const Wrapper wrapper = screen_wrapper(execution_, formats_);
-  const ShaderSource source = shaders.load(path_, wrapper.prologue, wrapper.epilogue);
+  const ShaderSource source = shaders.load(path_, defines_ + wrapper.prologue, wrapper.epilogue);
   return execution_ == PassExecution::compute ? Program::compute(source, path_) : Program::fragment(source, path_);
 }
 

@@ -43,9 +43,12 @@ struct Binding {  // a texture at a sampler's `layout(binding = unit)`
 // memory.
 class ScreenPass {
  public:
-  ScreenPass(const Context& context, ShaderLibrary& shaders, const std::string& path, std::vector<Format> targets);
+  // `defines`: lines before the shader's, for one of its variants.
+  ScreenPass(const Context& context, ShaderLibrary& shaders, const std::string& path, std::vector<Format> targets,
+             const std::string& defines = {});
   // With one execution, whatever the context prefers, to compare them.
-  ScreenPass(PassExecution execution, ShaderLibrary& shaders, const std::string& path, std::vector<Format> targets);
+  ScreenPass(PassExecution execution, ShaderLibrary& shaders, const std::string& path, std::vector<Format> targets,
+             std::string defines = {});
   // Shades the pixels of `rect` (clipped to the targets, which all have one size, and none of which is read). Uniform
   // blocks are bound by the caller (UniformBlock::bind). Makes what it wrote visible to later passes.
   void run(Rect rect, std::span<const Texture* const> targets, std::span<const Binding> textures) const;
@@ -56,7 +59,7 @@ class ScreenPass {
  private:
   Program build(ShaderLibrary& shaders) const;
   void check(std::span<const Texture* const> targets, std::span<const Binding> textures) const;
-  std::string path_;
+  std::string path_, defines_;
   std::vector<Format> formats_;
   PassExecution execution_;
   Program program_;

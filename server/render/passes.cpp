@@ -15,14 +15,24 @@ Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       shaders_(shaders),
       smooth_(context, shaders, "render/smooth.glsl", {Format::rgba16f, Format::rg32f}),
       composite_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f}),
+      composite_alone_(context, shaders, "render/composite.glsl", {Format::rgba32f, Format::r32f},
+                       "#define WHOLE_AND_ALONE\n"),
       tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}),
       tone_map_bloom_(context, shaders, "render/tone_map_bloom.glsl", {Format::rgba8}),
       bloom_(context, shaders) {}
 
-const ScreenPass& Passes::scene_with_water(bool float32) const {
-  auto& pass = scenes_with_water_[float32 ? 1 : 0];
+SceneKind scene_kind_of(const Cloudscape& cloudscape) {
+  if (cloudscape.ground.water.level_m) return SceneKind::water;
+  return cloudscape.ground.kind == GroundKind::terrain ? SceneKind::land : SceneKind::plain;
+}
+
+const ScreenPass& Passes::scene_with(SceneKind kind, bool float32) const {
+  if (kind == SceneKind::plain) return float32 ? full_.scene : half_.scene;
+  const bool water = kind == SceneKind::water;
+  auto& pass = scenes_[(water ? 2 : 0) + (float32 ? 1 : 0)];
   const Format radiance = float32 ? Format::rgba32f : Format::rgba16f;
-  if (!pass) pass.emplace(context_, shaders_, "render/scene_water.glsl", std::vector{radiance, Format::r32f});
+  const char* path = water ? "render/scene_water.glsl" : "render/scene_land.glsl";
+  if (!pass) pass.emplace(context_, shaders_, path, std::vector{radiance, Format::r32f});
   return *pass;
 }
 
@@ -33,8 +43,8 @@ const ScreenPass& Passes::march_by_structure(bool float32) const {
   return *pass;
 }
 
-void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin,
-                   int row_end) const {
+void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end,
+                   PassClock& clock) const {
   const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
   const Binding tables[] = {{8, &sky.air->transmittance}, {10, &sky.lights->light}, {14, &sky.view->aerial}};
@@ -57,40 +67,50 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);
-  const ScreenPass& scene_pass = medium.water ? scene_with_water(targets.float32) : precision.scene;
-  scene_pass.run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
+  scene_with(medium.scene, targets.float32)
+      .run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
+  clock.lap("scene");
   const ScreenPass& march_pass = medium.distances ? precision.march : march_by_structure(targets.float32);
   march_pass.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
+  clock.lap("march");
 }
 
-void Passes::composite(const Targets& targets, const Accumulation& previous) const {
+void Passes::composite(const Targets& targets, const Accumulation& previous, PassClock& clock) const {
   if (targets.smooth) {
     const Binding march[] = {{0, &targets.march_radiance}, {1, &targets.march_depth}};
     const Texture* smooth[] = {&targets.smooth_radiance, &targets.smooth_depth};
     smooth_.run({0, 0, targets.march_radiance.width(), targets.march_radiance.height()}, smooth, march);
+    clock.lap("smooth");
   }
   const Binding textures[] = {{0, &targets.scene_radiance}, {1, &targets.scene_depth}, {2, &targets.clouds()},
                               {3, &targets.clouds_depth()}, {4, &previous.radiance},   {5, &previous.depth}};
   const Texture* output[] = {&targets.scratch.radiance, &targets.scratch.depth};
-  composite_.run({0, 0, targets.size.width, targets.size.height}, output, textures);
+  const bool alone = !previous.radiance && targets.march_divisor == 1;
+  (alone ? composite_alone_ : composite_).run({0, 0, targets.size.width, targets.size.height}, output, textures);
+  clock.lap("composite");
 }
 
-void Passes::tone_map(const Targets& targets, const Accumulation& accumulation) const {
+void Passes::tone_map(const Targets& targets, const Accumulation& accumulation, PassClock& clock) const {
   const gpu::Rect all{0, 0, targets.size.width, targets.size.height};
   const Texture* output[] = {&targets.display};
-  const Binding plain[] = {{0, &accumulation.radiance}};
-  if (!targets.bloom) return tone_map_.run(all, output, plain);
-  const Binding textures[] = {plain[0], {1, &bloom_.glow(*targets.bloom, accumulation.radiance)}};
-  tone_map_bloom_.run(all, output, textures);
+  const Texture* glow = targets.bloom ? &bloom_.glow(*targets.bloom, accumulation.radiance) : nullptr;
+  if (glow) clock.lap("bloom");
+  const Binding plain[] = {{0, &accumulation.radiance}}, glowing[] = {plain[0], {1, glow}};
+  if (glow)
+    tone_map_bloom_.run(all, output, glowing);
+  else
+    tone_map_.run(all, output, plain);
+  clock.lap("tone_map");
 }
 
 void Passes::reload(gpu::ShaderLibrary& shaders) {
-  for (ScreenPass* pass :
-       {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_, &tone_map_, &tone_map_bloom_})
+  for (ScreenPass* pass : {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_,
+                           &composite_alone_, &tone_map_, &tone_map_bloom_})
     pass->reload(shaders);
-  for (auto* passes : {&scenes_with_water_, &marches_by_structure_})
-    for (auto& pass : *passes)
-      if (pass) pass->reload(shaders);
+  for (auto& pass : scenes_)
+    if (pass) pass->reload(shaders);
+  for (auto& pass : marches_by_structure_)
+    if (pass) pass->reload(shaders);
   bloom_.reload(shaders);
 }
 

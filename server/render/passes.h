@@ -8,10 +8,15 @@
 #include "gpu/pass.h"
 #include "render/bloom.h"
 #include "render/in_scatter_volumes.h"
+#include "render/pass_clock.h"
 #include "render/sky_tables.h"
 #include "render/targets.h"
 
 namespace cloudscape::render {
+
+// What the scene has besides the plain: each kind is a program of its own, so that only who has it pays for it.
+enum class SceneKind { plain, land, water };
+SceneKind scene_kind_of(const Cloudscape& cloudscape);
 
 class Passes {
  public:
@@ -25,18 +30,19 @@ class Passes {
     const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
     const InScatterVolume* in_scatter = nullptr;
     const gpu::Texture* sun_depth = nullptr;  // where clouds cast shadows
-    bool water = false;                       // whether the scene has any
+    SceneKind scene = SceneKind::plain;
   };
-  void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end) const;
+  void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end,
+             PassClock& clock) const;
   // The whole picture into targets.scratch, averaged with `previous`.
-  void composite(const Targets& targets, const Accumulation& previous) const;
+  void composite(const Targets& targets, const Accumulation& previous, PassClock& clock) const;
   // With the glow of `targets.bloom`, if there is one.
-  void tone_map(const Targets& targets, const Accumulation& accumulation) const;
+  void tone_map(const Targets& targets, const Accumulation& accumulation, PassClock& clock) const;
   const Bloom& bloom() const { return bloom_; }
   void reload(gpu::ShaderLibrary& shaders);
 
  private:
-  const gpu::ScreenPass& scene_with_water(bool float32) const;
+  const gpu::ScreenPass& scene_with(SceneKind kind, bool float32) const;
   const gpu::ScreenPass& march_by_structure(bool float32) const;
   struct Precision {  // HDR targets of 16 or 32 bits
     gpu::ScreenPass scene, march;
@@ -44,9 +50,9 @@ class Passes {
   Precision half_, full_;
   const gpu::Context& context_;
   gpu::ShaderLibrary& shaders_;
-  // Of 16 and 32 bits; once they are wanted.
-  mutable std::array<std::optional<gpu::ScreenPass>, 2> scenes_with_water_, marches_by_structure_;
-  gpu::ScreenPass smooth_, composite_, tone_map_, tone_map_bloom_;
+  mutable std::array<std::optional<gpu::ScreenPass>, 4> scenes_;  // of land and water; once they are wanted
+  mutable std::array<std::optional<gpu::ScreenPass>, 2> marches_by_structure_;  // of 16 and 32 bits; likewise
+  gpu::ScreenPass smooth_, composite_, composite_alone_, tone_map_, tone_map_bloom_;
   Bloom bloom_;
 };
 

@@ -68,6 +68,7 @@ Renderer::History& Renderer::history_of(const FrameRequest& request) {
 std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
   auto job = std::make_unique<RenderJob>();
   job->request = request;
+  if (request.time_passes) job->passes = PassClock(context_);
   job->request.cloudscape = at_time(request.cloudscape, request.time_s);
   if (continues_picture(request)) {
     job->resolved = resolver_.begin(job->request);
@@ -170,6 +171,7 @@ bool Renderer::advance_trace(RenderJob& job) {
     job.timer.start();
     job.trace = tracer_.begin(job.request, *job.baked, table);
   }
+  job.passes.start();
   const SkyTables::Set sky = bind_blocks(job, 0);
   TracedScene scene{terrain_.bind(job.request, job.land), job.land.terrain != nullptr};
   scene.textures.insert(scene.textures.end(), {{0, &job.baked->shape()},
@@ -182,6 +184,7 @@ bool Renderer::advance_trace(RenderJob& job) {
                                                {14, &sky.view->aerial}});
   const bool done = tracer_.advance(*job.trace, scene);
   if (done) finish_trace(job);
+  job.passes.lap("trace");
   job.render_ms += ms_since(start);
   return done;
 }
@@ -229,13 +232,15 @@ SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
 
 void Renderer::render_rows(RenderJob& job) {
   const auto start = Clock::now();
+  job.passes.start();
   const SkyTables::Set sky = bind_blocks(job, job.sample);
+  job.passes.lap("sky");
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
   auto land = terrain_.bind(job.request, job.land);
   std::ranges::copy(water_.bind(job.request, job.water), std::back_inserter(land));
   Passes::Medium medium = medium_of(job);
-  medium.land = land, medium.water = has_water(*job.request.cloudscape);
-  passes_.march(*job.targets, sky, medium, job.row, end);
+  medium.land = land, medium.scene = scene_kind_of(*job.request.cloudscape);
+  passes_.march(*job.targets, sky, medium, job.row, end, job.passes);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
   job.row = end;
   if (!context_.device().software) return context_.flush();
@@ -245,13 +250,13 @@ void Renderer::render_rows(RenderJob& job) {
 
 void Renderer::finish_sample(RenderJob& job) {
   if (job.resolved) {
-    passes_.composite(*job.targets, Accumulation{});
-    resolver_.resolve(*job.resolved, job.targets->scratch);
+    passes_.composite(*job.targets, Accumulation{}, job.passes);
+    resolver_.resolve(*job.resolved, job.targets->scratch, job.passes);
     ++job.sample;
     return;
   }
   History& history = history_of(job.request);
-  passes_.composite(*job.targets, history.accumulation);
+  passes_.composite(*job.targets, history.accumulation, job.passes);
   std::swap(history.accumulation, job.targets->scratch);
   history.samples = ++job.sample;
   job.row = 0;
@@ -261,23 +266,26 @@ PendingFrame Renderer::finish(std::unique_ptr<RenderJob> job) {
   const auto start = Clock::now();
   PendingFrame pending;
   if (job->resolved) return finish_resolved(std::move(job));
+  job->passes.start();
   const History& history = history_of(job->request);
   pending.samples = history.samples;
   if (job->request.content == FrameContent::display) {
     frame_block_.upload(frame_block(job->request, job->last_sample));  // other jobs may have been at work in between
     frame_block_.bind();
     prepare_bloom(*job->targets, job->request);
-    passes_.tone_map(*job->targets, history.accumulation);
+    passes_.tone_map(*job->targets, history.accumulation, job->passes);
     pending.display = gpu::Readback(job->targets->display);
   } else {
     pending.radiance = gpu::Readback(history.accumulation.radiance);
     pending.depth = gpu::Readback(history.accumulation.depth);
     if (job->standard_error) pending.standard_error = gpu::Readback(job->standard_error);
   }
+  job->passes.lap("read_back");
   context_.flush();
   pending.request = std::move(job->request);
   pending.timings.render_ms = job->render_ms + ms_since(start);
   pending.timer = std::move(job->timer);
+  pending.passes = std::move(job->passes);
   pool_.release(std::move(job->targets));
   return pending;
 }
@@ -286,13 +294,16 @@ PendingFrame Renderer::finish_resolved(std::unique_ptr<RenderJob> job) {
   const auto start = Clock::now();
   frame_block_.upload(frame_block(job->resolved->asked, 0));
   frame_block_.bind();
+  job->passes.start();
   PendingFrame pending;
   pending.samples = 1;
-  pending.display = gpu::Readback(resolver_.present(*job->resolved, passes_.bloom()));
+  pending.display = gpu::Readback(resolver_.present(*job->resolved, passes_.bloom(), job->passes));
+  job->passes.lap("read_back");
   context_.flush();
   pending.request = std::move(job->resolved->asked);
   pending.timings.render_ms = job->render_ms + ms_since(start);
   pending.timer = std::move(job->timer);
+  pending.passes = std::move(job->passes);
   pool_.release(std::move(job->targets));
   return pending;
 }
@@ -319,6 +330,7 @@ Frame Renderer::collect(PendingFrame pending) const {
     drop_every_fourth(frame.standard_error_rgb);
   }
   frame.timings.gpu_ms = pending.timer.milliseconds();
+  frame.timings.passes = pending.passes.times();
   frame.timings.readback_ms = ms_since(start);
   frame.request = std::move(pending.request);
   return frame;

@@ -41,6 +41,7 @@ struct RenderJob {
   gpu::Texture standard_error;            // of a traced picture that is done
   double render_ms = 0;
   gpu::Timer timer;
+  PassClock passes;
 };
 
 // A frame on its way back from the device.
@@ -50,6 +51,7 @@ struct PendingFrame {
   FrameTimings timings;
   gpu::Readback display, radiance, depth, standard_error;
   gpu::Timer timer;
+  PassClock passes;
   bool ready() const;
 };
 

@@ -2,7 +2,7 @@
 
 namespace cloudscape::render {
 
-using gpu::Binding, gpu::Format, gpu::Texture;
+using gpu::Binding, gpu::Format, gpu::ScreenPass, gpu::Texture;
 
 namespace {
 
@@ -12,15 +12,23 @@ Texture picture_texture(ImageSize size, const char* label) {
   return texture;
 }
 
+// Makes it anew where its size is another.
+void fit(Texture& texture, ImageSize size, const char* label) {
+  if (texture && texture.width() == size.width && texture.height() == size.height) return;
+  texture = Texture(Format::rgba8, size.width, size.height, label);
+  texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
+}
+
 gpu::Rect whole(ImageSize size) { return {0, 0, size.width, size.height}; }
 
 }  // namespace
 
 Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
-    : range_(context, shaders, "render/resolve_range.glsl", {Format::rgba16f, Format::rgba16f}),
+    : context_(context),
+      shaders_(shaders),
+      range_(context, shaders, "render/resolve_range.glsl", {Format::rgba16f, Format::rgba16f}),
       resolve_(context, shaders, "render/resolve.glsl", {Format::rgba16f}),
-      present_(context, shaders, "render/present.glsl", {Format::rgba8}),
-      present_bloom_(context, shaders, "render/present_bloom.glsl", {Format::rgba8}),
+      enlarge_(context, shaders, "render/enlarge.glsl", {Format::rgba8}),
       block_("resolve") {}
 
 ResolvedFrame Resolver::begin(const FrameRequest& asked) const {
@@ -40,7 +48,7 @@ Resolver::Shared& Resolver::shared_of(ImageSize kept, ImageSize marched) {
   return shared;
 }
 
-void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched) {
+void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock) {
   const ResolvePlan& plan = frame.plan;
   Shared& shared = shared_of(plan.kept, plan.marched);
   Picture& picture = pictures_[frame.asked.stream];
@@ -52,12 +60,14 @@ void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched) 
   const Texture* range[] = {&shared.least, &shared.greatest};
   const Binding seen[] = {{0, &marched.radiance}, {1, &marched.depth}};
   range_.run(whole(plan.marched), range, seen);
+  clock.lap("range");
   const Binding textures[] = {{0, &marched.radiance},
                               {1, &shared.least},
                               {2, &shared.greatest},
                               {3, before ? &picture.radiance : &marched.radiance}};
   const Texture* output[] = {&shared.spare};
   resolve_.run(whole(plan.kept), output, textures);
+  clock.lap("resolve");
   std::swap(picture.radiance, shared.spare);
   if (shared.spare && (shared.spare.width() != plan.kept.width || shared.spare.height() != plan.kept.height))
     shared.spare = {};
@@ -74,21 +84,40 @@ const Texture* Resolver::glow(const ResolvedFrame& frame, const Bloom& bloom, co
   return &bloom.glow(*chain, radiance);
 }
 
-const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom) {
+const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom, PassClock& clock) {
   const Picture& picture = pictures_.at(frame.asked.stream);
-  const ImageSize size = frame.plan.shown;
-  if (!display_ || display_.width() != size.width || display_.height() != size.height)
-    display_ = Texture(Format::rgba8, size.width, size.height, "shown picture");
+  const ResolvePlan& plan = frame.plan;
+  fit(display_, plan.shown, "shown picture");
   const Texture* glows = glow(frame, bloom, picture.radiance);
+  if (glows) clock.lap("bloom");
   block_.upload(picture.block);  // other streams' frames may have come in between
   block_.bind();
+  const bool same_size = plan.kept == plan.shown;
+  if (!same_size) fit(developed_, plan.kept, "developed picture");
+  develop(picture.radiance, glows, frame.asked.display.tone_curve, same_size ? display_ : developed_);
+  clock.lap("develop");
+  if (same_size) return display_;
   const Texture* output[] = {&display_};
-  const Binding plain[] = {{0, &picture.radiance}}, glowing[] = {{0, &picture.radiance}, {1, glows}};
-  if (glows)
-    present_bloom_.run(whole(frame.plan.shown), output, glowing);
-  else
-    present_.run(whole(frame.plan.shown), output, plain);
+  const Binding developed[] = {{0, &developed_}};
+  enlarge_.run(whole(plan.shown), output, developed);
+  clock.lap("enlarge");
   return display_;
+}
+
+ScreenPass& Resolver::developing(ToneCurve curve, bool glows) {
+  const auto found = develop_.find({curve, glows});
+  if (found != develop_.end()) return found->second;
+  const std::string define = "#define TONE_CURVE " + std::to_string(static_cast<int>(curve)) + "\n";
+  const char* path = glows ? "render/develop_bloom.glsl" : "render/develop.glsl";
+  ScreenPass pass(context_, shaders_, path, {Format::rgba8}, define);
+  return develop_.emplace(std::pair{curve, glows}, std::move(pass)).first->second;
+}
+
+void Resolver::develop(const Texture& radiance, const Texture* glow, ToneCurve curve, const Texture& target) {
+  const Texture* output[] = {&target};
+  const Binding plain[] = {{0, &radiance}}, glowing[] = {{0, &radiance}, {1, glow}};
+  const ScreenPass& pass = developing(curve, glow != nullptr);
+  pass.run({0, 0, target.width(), target.height()}, output, glow ? std::span<const Binding>(glowing) : plain);
 }
 
 void Resolver::outdate(const FrameRequest& shown) {
@@ -114,7 +143,8 @@ std::size_t Resolver::bytes() const {
 }
 
 void Resolver::reload(gpu::ShaderLibrary& shaders) {
-  for (gpu::ScreenPass* pass : {&range_, &resolve_, &present_, &present_bloom_}) pass->reload(shaders);
+  for (ScreenPass* pass : {&range_, &resolve_, &enlarge_}) pass->reload(shaders);
+  for (auto& [variant, pass] : develop_) pass.reload(shaders);
 }
 
 }  // namespace cloudscape::render

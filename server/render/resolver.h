@@ -6,6 +6,7 @@
 
 #include "gpu/pass.h"
 #include "render/bloom.h"
+#include "render/pass_clock.h"
 #include "render/resolve_plan.h"
 #include "render/targets.h"
 
@@ -24,9 +25,9 @@ class Resolver {
   ResolvedFrame begin(const FrameRequest& asked) const;
   // Continues the stream's picture with what was marched into `marched` (radiance and distance of what is seen). The
   // frame block of the marched request must be bound.
-  void resolve(const ResolvedFrame& frame, const Accumulation& marched);
+  void resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock);
   // The stream's picture as it is displayed; until the next one is. The frame block must be bound.
-  const gpu::Texture& present(const ResolvedFrame& frame, const Bloom& bloom);
+  const gpu::Texture& present(const ResolvedFrame& frame, const Bloom& bloom, PassClock& clock);
   // Drops the stream's picture if it is not of this view: another frame, which did not continue it, has shown that.
   void outdate(const FrameRequest& shown);
   void forget(StreamId stream) { pictures_.erase(stream); }
@@ -47,13 +48,18 @@ class Resolver {
     std::unique_ptr<BloomChain> bloom;
   };
   Shared& shared_of(ImageSize kept, ImageSize marched);
+  void develop(const gpu::Texture& radiance, const gpu::Texture* glow, ToneCurve curve, const gpu::Texture& target);
+  gpu::ScreenPass& developing(ToneCurve curve, bool glows);
   const gpu::Texture* glow(const ResolvedFrame& frame, const Bloom& bloom, const gpu::Texture& radiance);
 
-  gpu::ScreenPass range_, resolve_, present_, present_bloom_;
+  const gpu::Context& context_;
+  gpu::ShaderLibrary& shaders_;
+  std::map<std::pair<ToneCurve, bool>, gpu::ScreenPass> develop_;  // without and with a glow; once they are wanted
+  gpu::ScreenPass range_, resolve_, enlarge_;
   gpu::UniformBlock<ResolveBlock> block_;
   std::map<StreamId, Picture> pictures_;
   std::map<std::pair<int, int>, Shared> shared_;
-  gpu::Texture display_;
+  gpu::Texture developed_, display_;
 };
 
 }  // namespace cloudscape::render

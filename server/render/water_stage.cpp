@@ -107,7 +107,8 @@ void WaterStage::render_slice(const Scene& scene, Entry& entry) {
   frame.ground.x = static_cast<float>(GroundKind::none);  // land stands in no cloud's way
   frame_block_.upload(frame);
   const int end = std::min(entry.next_row + rows_per_slice, rows);
-  scene.passes.march(*entry.targets, sky, scene.medium, entry.next_row, end);
+  PassClock untimed;
+  scene.passes.march(*entry.targets, sky, scene.medium, entry.next_row, end, untimed);
   entry.next_row = end;
   if (end < rows) return;
   const Texture* target[] = {&entry.panorama->clouds};

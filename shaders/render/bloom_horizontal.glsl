@@ -8,8 +8,8 @@ float kernel(int distance) { return distance < 4 ? bloom.horizontal_near[distanc
 
 vec3 light_at(int x, int y) {
   int width = bloom.size.x;
-  // The remainder of a negative number is undefined in GLSL; a kernel reaches 7 texels at most.
-  int wrapped = bloom.size.z != 0 ? (x + 8 * width) % width : x;
+  // By floats: software divides integers one by one.
+  int wrapped = bloom.size.z != 0 ? x - width * int(floor((float(x) + 0.5) / float(width))) : x;
   return wrapped < 0 || wrapped >= width ? vec3(0.0) : texelFetch(bright, ivec2(clamp(wrapped, 0, width - 1), y), 0).xyz;
 }
 

@@ -10,12 +10,21 @@ layout(binding = 3) uniform sampler2D march_depth;
 layout(binding = 4) uniform sampler2D previous_radiance;
 layout(binding = 5) uniform sampler2D previous_depth;
 
+// Software computes both sides of every branch: whoever knows them says so.
+#ifdef WHOLE_AND_ALONE  // the clouds of every pixel are marched, and nothing is averaged with them
+#define MARCH_DIVISOR 1
+#define SAMPLE_WEIGHT 1.0
+#else
+#define MARCH_DIVISOR frame.size.w
+#define SAMPLE_WEIGHT frame.accumulation.x
+#endif
+
 PassOutput shade(ivec2 pixel) {
   vec4 scene = texelFetch(scene_radiance, pixel, 0);
   float depth_m = texelFetch(scene_depth, pixel, 0).x;
   vec4 march;
   vec2 far;
-  if (frame.size.w == 1) {
+  if (MARCH_DIVISOR == 1) {
     march = texelFetch(march_radiance, pixel, 0);
     far = texelFetch(march_depth, pixel, 0).xy;
   } else {
@@ -27,7 +36,7 @@ PassOutput shade(ivec2 pixel) {
   // What the clouds' shadow takes from the air can be more than a neighbour's air has.
   vec4 result = vec4(max(lit * march.w + march.xyz, vec3(0.0)) / frame.accumulation.z, 1.0 - march.w);
   float seen_m = result.w >= 0.5 ? min(far.x, depth_m) : depth_m;
-  float weight = frame.accumulation.x;
+  float weight = SAMPLE_WEIGHT;
   if (weight < 1.0) {
     result = mix(texelFetch(previous_radiance, pixel, 0), result, weight);
     seen_m = mix(texelFetch(previous_depth, pixel, 0).x, seen_m, weight);

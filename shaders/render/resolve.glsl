@@ -23,7 +23,7 @@ vec3 place_before(vec2 place, float closeness_per_km) {
 
 PassOutput shade(ivec2 pixel) {
   int stride = resolve.kept.z;
-  ivec2 block = pixel / stride;
+  ivec2 block = pixel >> (stride >> 1);  // which is 1, 2 or 4: software divides integers one by one
   vec2 size = vec2(resolve.kept.xy);
   vec2 place = (vec2(pixel) + 0.5) / size;
   vec4 least = texelFetch(least_radiance, block, 0);

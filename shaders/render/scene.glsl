@@ -26,12 +26,17 @@ PassOutput shade(ivec2 pixel) {
   if (ray.valid == 0.0) return PassOutput(vec4(0.0), vec4(0.0));
   vec2 planet = intersect_altitude(ray.origin, ray.direction, 0.0);
   float planet_m = planet.x <= planet.y && planet.y > 0.0 ? max(planet.x, 0.0) : no_hit_m;
-  float land_m = frame.ground.x == ground_terrain ? land_distance_m(ray) : no_hit_m;
+  float land_m = no_hit_m;
+#ifdef WITH_TERRAIN
+  if (frame.ground.x == ground_terrain) land_m = land_distance_m(ray);
+#endif
   float distance_m = land_m < no_hit_m ? land_m : (frame.ground.x == ground_plain ? planet_m : no_hit_m);
   Surface surface = Surface(vec3(0.0), vec3(0.0));
-  if (land_m < no_hit_m) surface = terrain_surface_at(ray, land_m);
 #ifndef WITH_WATER  // which lies on the plain
-  else if (distance_m < no_hit_m) surface = plain_surface(ray, distance_m);
+  if (land_m >= no_hit_m && distance_m < no_hit_m) surface = plain_surface(ray, distance_m);
+#endif
+#ifdef WITH_TERRAIN
+  if (land_m < no_hit_m) surface = terrain_surface_at(ray, land_m);
 #endif
 #ifdef WITH_WATER
   float water_m = water_distance_m(ray);

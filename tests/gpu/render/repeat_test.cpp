@@ -189,7 +189,8 @@ TEST_F(Blocks, LieAsTheDriverLaysThem) {
   EXPECT_EQ(march.program().block_offsets("CloudBlock"), CloudBlock::offsets());
   const gpu::ScreenPass bloom(stack().context, shaders, "render/bloom_vertical.glsl", {gpu::Format::rgba32f});
   EXPECT_EQ(bloom.program().block_offsets("BloomBlock"), BloomBlock::offsets());
-  const gpu::ScreenPass scene(stack().context, shaders, "render/scene.glsl", {gpu::Format::rgba16f, gpu::Format::r32f});
+  const gpu::ScreenPass scene(stack().context, shaders, "render/scene_land.glsl",
+                              {gpu::Format::rgba16f, gpu::Format::r32f});
   EXPECT_EQ(scene.program().block_offsets("TerrainBlock"), TerrainBlock::offsets());
   const gpu::ScreenPass water(stack().context, shaders, "render/scene_water.glsl",
                               {gpu::Format::rgba16f, gpu::Format::r32f});

@@ -97,6 +97,28 @@ TEST(ResolvePlanTest, whole_blocks_hold_the_picture_in_their_middle) {
   EXPECT_NEAR(half / plan.kept.height, 2 * std::tan(radians(request.lens.vertical_fov_deg) / 2) / 715, 1e-12);
 }
 
+// Of the tone curve at each kept pixel, enlarged, against that of each shown pixel; in steps of 8 bits.
+TEST_F(Resolver, developed_picture_is_the_tone_mapped_one_where_it_is_smooth) {
+  for (const ToneCurve curve : {ToneCurve::agx, ToneCurve::aces, ToneCurve::reinhard, ToneCurve::none}) {
+    FrameRequest request = moving(1, 2, next_stream());
+    request.cloudscape = std::make_shared<Cloudscape>(clear_world(30));
+    request.pose.azimuth_deg = 120, request.pose.elevation_deg = 50;
+    request.display.tone_curve = curve, request.display.exposure_ev = 4;
+    const Frame developed = last_of(request, 1), exact = render(whole(request, 1));
+    int most = 0, least = 255, farthest = 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < exact.display_rgba.size(); ++i) {
+      if (i % 4 == 3) continue;
+      const int off = std::abs(int{developed.display_rgba[i]} - int{exact.display_rgba[i]});
+      farthest = std::max(farthest, off), sum += off;
+      most = std::max(most, int{exact.display_rgba[i]}), least = std::min(least, int{exact.display_rgba[i]});
+    }
+    EXPECT_GT(most, least + 20) << "nothing to see";
+    EXPECT_LE(farthest, 1) << static_cast<int>(curve);
+    EXPECT_LT(sum / (0.75 * static_cast<double>(exact.display_rgba.size())), 0.25) << static_cast<int>(curve);
+  }
+}
+
 // A resting picture becomes the one that is marched whole. Four whole samples differ from it by 2.3 steps, eight
 // by 1.4; half the resolution costs the edges.
 TEST_F(Resolver, resting_picture_is_the_whole_one) {

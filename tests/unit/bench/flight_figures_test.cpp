@@ -5,6 +5,7 @@
 
 #include "bench/stream_counts.h"
 #include "bench/thread_times.h"
+#include "core/cpu_time.h"
 
 namespace cloudscape::bench {
 namespace {

@@ -29,16 +29,24 @@ TEST(FrameTimes, TableHasARowForEach) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3);
   EXPECT_THAT(table, testing::HasSubstr("640x360"));
   EXPECT_THAT(table, testing::HasSubstr("2.0\n")) << "KiB";
+  FrameTimes timed = row();
+  timed.passes = {{"march", 30, 55}, {"tone_map", 2.25, 4}};
+  EXPECT_THAT(table_of({timed}), testing::HasSubstr("2.0\n    march 30.0 tone_map 2.2 ms\n"));
 }
 
 TEST(FrameTimes, JsonHoldsEveryFigure) {
-  const auto json = nlohmann::json::parse(json_of({row()}, "llvmpipe", "fragment"));
+  FrameTimes timed = row();
+  timed.passes = {{"march", 30, 55}};
+  const auto json = nlohmann::json::parse(json_of({timed}, "llvmpipe", "fragment"));
   EXPECT_EQ(json["renderer"], "llvmpipe");
   const auto& times = json["frame_times"][0];
   EXPECT_EQ(times["size_px"], (nlohmann::json{640, 360}));
   EXPECT_EQ(times["render"]["p95_ms"], 2);
   EXPECT_EQ(times["device"]["median_ms"], 4);
   EXPECT_EQ(times["jpeg_bytes"], 2048);
+  EXPECT_EQ(times["passes"][0]["name"], "march");
+  EXPECT_EQ(times["passes"][0]["ms"], 30);
+  EXPECT_EQ(times["passes"][0]["cpu_ms"], 55);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct GreyRenderer {
     frame.request = request;
     frame.display_rgba.assign(std::size_t(4) * request.size_px.width * request.size_px.height,
                               static_cast<std::uint8_t>(value));
-    if (request.time_passes) frame.timings.passes = {{"march", 3}, {"tone_map", 1}};
+    if (request.time_passes) frame.timings.passes = {{"march", 3, 5}, {"tone_map", 1, 2}};
     return frame;
   }
   QualityRun run() {
@@ -140,13 +140,16 @@ TEST(RealtimeReport, HoldsWhatWasMeasured) {
   const std::string text = realtime_table(results);
   for (const char* part :
        {"16x9, sky along track at 120 m/s, 2 frames in 1.0 s", "1 in 4 pixels marched, of a picture kept at 1/2",
-        "llvmpipe 30.0", "2.0 KiB", "march 75.0 %", "tone_map 25.0 %", "67 px a degree", "slow pan"})
+        "llvmpipe 30.0", "2.0 KiB", "march                         3.00      5.00    75.0 %",
+        "tone_map                      1.00      2.00    25.0 %", "67 px a degree", "slow pan"})
     EXPECT_THAT(text, HasSubstr(part));
   const auto json = nlohmann::json::parse(realtime_json(results, {"llvmpipe", "4.5 Mesa", "fragment", 2}));
   EXPECT_EQ(json["flight"]["interval"]["median_ms"], 40);
   EXPECT_EQ(json["flight"]["cpu_ms_per_frame_of_threads"]["llvmpipe"], 30);
   EXPECT_EQ(json["quality"]["compared"].size(), 12u);
   EXPECT_EQ(json["quality"]["passes"][0]["share"], 0.75);
+  EXPECT_EQ(json["quality"]["passes"][0]["ms_per_frame"], 3);
+  EXPECT_EQ(json["quality"]["passes"][0]["cpu_ms_per_frame"], 5);
   EXPECT_EQ(json["quality"]["flicker"]["pan"]["frames"], 60);
 }
 
