@@ -8,15 +8,14 @@ namespace {
 
 using gpu::Format, gpu::Texture;
 
-constexpr int finest_rows = 180;      // tuned: the core of the default glow is three texels wide; more rows cost more
-constexpr int coarsest_texels = 512;  // few enough for one texel to read them all
+constexpr int coarsest_texels = 512;      // few enough for one texel to read them all
 constexpr double least_deviation = 1.25;  // tuned, in texels: less is not smooth between them, more needs more taps
 
 ImageSize divided(ImageSize size, int divisor) {
   return {(size.width + divisor - 1) / divisor, (size.height + divisor - 1) / divisor};
 }
 
-ImageSize finest_size(ImageSize size_px) {
+ImageSize finest_size(ImageSize size_px, int finest_rows) {
   const int divisor = static_cast<int>(std::lround(static_cast<double>(size_px.height) / finest_rows));
   return divided(size_px, std::max(1, divisor));
 }
@@ -76,8 +75,8 @@ Texture level_texture(ImageSize size, bool wraps, const char* label) {
 
 }  // namespace
 
-BloomPlan bloom_plan(ImageSize size_px, double radius) {
-  BloomPlan plan{{finest_size(size_px)}, {}};
+BloomPlan bloom_plan(ImageSize size_px, double radius, int finest_rows) {
+  BloomPlan plan{{finest_size(size_px, finest_rows)}, {}};
   const auto next_level = [&] { plan.sizes.push_back(divided(plan.sizes.back(), 2)); };
   for (const GlowGaussian& gaussian : glow_gaussians) {
     const double deviation_px = gaussian.deviation * radius * size_px.height;
@@ -103,13 +102,13 @@ BloomLevel::BloomLevel(ImageSize size, bool wraps, const BloomBlur* blur)
   block.upload(block_of(size, wraps, blur));
 }
 
-BloomChain::BloomChain(ImageSize size_px, double glow_radius, bool wraps_across)
+BloomChain::BloomChain(ImageSize size_px, double glow_radius, bool wraps_across, int finest_rows)
     : radius(glow_radius),
       wraps(wraps_across),
       scale(Format::r32f, 1, 1, "bloom, scale"),
       black(Format::rgba32f, 1, 1, "bloom, nothing coarser") {
   black.clear();
-  const BloomPlan plan = bloom_plan(size_px, radius);
+  const BloomPlan plan = bloom_plan(size_px, radius, finest_rows);
   auto blur = plan.blurs.begin();
   for (int level = 0; level < static_cast<int>(plan.sizes.size()); ++level) {
     const bool blurred = blur != plan.blurs.end() && blur->level == level;

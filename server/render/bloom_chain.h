@@ -33,9 +33,12 @@ struct BloomPlan {
   std::vector<ImageSize> sizes;  // of the levels, finest first
   std::vector<BloomBlur> blurs;  // ascending levels, one at most for each
 };
-// `radius`: of the glow, as a share of the picture's height. The finest level has about 180 rows whatever the picture's
-// size: the glow looks and costs the same at each.
-BloomPlan bloom_plan(ImageSize size_px, double radius);
+// tuned: rows of the finest level. In a still the core of the default glow is three texels wide, and more rows cost
+// more; in a moving picture half of them do.
+constexpr int bloom_rows = 180, moving_bloom_rows = 90;
+// `radius`: of the glow, as a share of the picture's height. The finest level has about as many rows whatever the
+// picture's size: the glow looks and costs the same at each.
+BloomPlan bloom_plan(ImageSize size_px, double radius, int finest_rows = bloom_rows);
 
 struct BloomLevel {
   BloomLevel(ImageSize size, bool wraps, const BloomBlur* blur);
@@ -45,7 +48,7 @@ struct BloomLevel {
 };
 
 struct BloomChain {
-  BloomChain(ImageSize size_px, double radius, bool wraps);
+  BloomChain(ImageSize size_px, double radius, bool wraps, int finest_rows = bloom_rows);
   bool fits(double wanted_radius, bool wanted_wraps) const { return radius == wanted_radius && wraps == wanted_wraps; }
   std::size_t bytes() const;
 

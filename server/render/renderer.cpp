@@ -227,7 +227,7 @@ SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
   cloud_block_.upload(cloud);
   frame_block_.bind();
   cloud_block_.bind();
-  return sky_.get(frame, cloud);
+  return sky_.get(frame, cloud, job.resolved ? AltitudeOfView::by_sixteenths : AltitudeOfView::exact);
 }
 
 void Renderer::render_rows(RenderJob& job) {

@@ -80,7 +80,7 @@ const Texture* Resolver::glow(const ResolvedFrame& frame, const Bloom& bloom, co
   if (display.bloom_strength <= 0) return nullptr;
   std::unique_ptr<BloomChain>& chain = shared_of(frame.plan.kept, frame.plan.marched).bloom;
   if (!chain || !chain->fits(display.bloom_radius, false))
-    chain = std::make_unique<BloomChain>(frame.plan.kept, display.bloom_radius, false);
+    chain = std::make_unique<BloomChain>(frame.plan.kept, display.bloom_radius, false, moving_bloom_rows);
   return &bloom.glow(*chain, radiance);
 }
 

@@ -88,11 +88,18 @@ SkyTables::SkyTables(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       views_(most_views),
       lights_(most_lights) {}
 
-SkyTables::Set SkyTables::get(const FrameBlock& frame, const CloudBlock& cloud) {
+double blended_altitude_m(double altitude_m) {
+  const int level = level_below(altitude_m);
+  const double low_m = level_altitude_m(level), step_m = (level_altitude_m(level + 1) - low_m) / 16;
+  return low_m + std::round((altitude_m - low_m) / step_m) * step_m;
+}
+
+SkyTables::Set SkyTables::get(const FrameBlock& frame, const CloudBlock& cloud, AltitudeOfView altitude) {
   Set set;
   set.air = airs_.get(air_key(frame), [&] { return make_air(); });
   set.lights = lights_.get(lights_key(frame, cloud), [&] { return make_lights(*set.air); });
-  const double altitude_m = std::max(0.0, double(frame.camera_forward.w));
+  const double camera_m = std::max(0.0, double(frame.camera_forward.w));
+  const double altitude_m = altitude == AltitudeOfView::exact ? camera_m : blended_altitude_m(camera_m);
   const std::string sky = sky_key(frame);
   set.view = views_.get(sky + bytes_of(altitude_m), [&] {
     const int level = level_below(altitude_m);

@@ -42,6 +42,10 @@ class Recent {
 // Rungs of the ladder of altitudes that skies are computed for: a quarter farther apart each, 62 m at the ground.
 double level_altitude_m(int level);
 int level_below(double altitude_m);
+double blended_altitude_m(double altitude_m);  // the nearest sixteenth of a rung
+
+// tuned: a flight that climbs blends the view anew at each sixteenth of a rung, which changes it by a thousandth.
+enum class AltitudeOfView { exact, by_sixteenths };
 
 class SkyTables {
  public:
@@ -61,7 +65,7 @@ class SkyTables {
   };
   SkyTables(const gpu::Context& context, gpu::ShaderLibrary& shaders);
   // The tables for this frame; the frame and cloud blocks must be bound.
-  Set get(const FrameBlock& frame, const CloudBlock& cloud);
+  Set get(const FrameBlock& frame, const CloudBlock& cloud, AltitudeOfView altitude = AltitudeOfView::exact);
   void reload(gpu::ShaderLibrary& shaders);
   int bakes() const { return bakes_; }  // tables of air, levels and lights computed so far; blends do not count
 

@@ -7,8 +7,9 @@
 
 // tuned: farther out shadows are narrower than the look-ups lie apart, which shows as noise. They fade on the way there.
 const float farthest_shaft_m = 30000.0;
-// tuned: look-ups along a ray: 4 with the four steps towards the light of moving pictures, which have no time, 8 and 12 in others.
-const float fewest_shaft_samples = 4.0;
+// tuned: look-ups along a ray: 2 with the four steps towards the light of moving pictures, which have no time and are averaged over frames,
+// 8 and 12 in others.
+const float fewest_shaft_samples = 2.0;
 const float most_shaft_samples = 12.0;
 
 // tuned: share of the air's light, without the haze's own, that comes straight from the sun and not from the rest of the sky: half
@@ -86,7 +87,7 @@ AirShadow air_shadow(CameraRay ray, float end_m, float cloud_m, float jitter) {
     AirSource first = air_source(uv, stretch.x - air_m), last = air_source(uv, stretch.y - air_m);
     AirSource at_cloud = air_source(uv, clamp(cloud_m, stretch.x, stretch.y) - air_m);
     float hidden_per_m = -log(max(last.transmittance, 1.0e-4)) / max(stretch.y - air_m, 1.0);
-    float samples = clamp(2.0 * cloud.steps.w - 4.0, fewest_shaft_samples, most_shaft_samples);
+    float samples = clamp(3.0 * cloud.steps.w - 10.0, fewest_shaft_samples, most_shaft_samples);
     ShaftSums sums = shaft_sums(ray, stretch, cloud_m, hidden_per_m, samples, jitter);
     float phase = phase_cornette_shanks(dot(ray.direction, frame.light_direction.xyz), frame.aerosol.x);
     shadow = AirShadow(missing_light(sums.behind, first, last, phase), missing_light(sums.before, first, at_cloud, phase));

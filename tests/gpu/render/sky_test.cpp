@@ -127,6 +127,20 @@ TEST_F(ClearSky, ChangesEvenlyWithAltitude) {
   }
 }
 
+// What a flight's view is blended for lies so near that nobody sees it change.
+TEST_F(ClearSky, OfSixteenthsOfARungIsTheSame) {
+  const Cloudscape sky = clear_world(8, 0.2);
+  for (const double altitude_m : {3.0, 70.0, 1234.0, 9876.0}) {
+    const double blended_m = blended_altitude_m(altitude_m);
+    EXPECT_NEAR(blended_altitude_m(blended_m), blended_m, 1e-6);
+    EXPECT_LE(std::abs(blended_m - altitude_m), (62.5 + altitude_m / 4) / 32);
+    for (const Look look : {Look{30, 2}, Look{120, 40}, Look{60, -20}}) {
+      const double there = luminance(sky_at(sky, altitude_m, look)), near = luminance(sky_at(sky, blended_m, look));
+      EXPECT_NEAR(near / there, 1, 0.006) << altitude_m << " look " << look.elevation_deg;
+    }
+  }
+}
+
 TEST_F(ClearSky, IsNotComputedAnewWhereOnlyTheCameraMoves) {
   const FrameRequest request = one_ray(clear_world(20), {{0, 0, 800}, 0, 10, 0});
   const auto bakes_of = [&](const CameraPose& pose, const Cloudscape& sky) {
