@@ -24,6 +24,7 @@ TrackVariant variant_of(const std::string& name) {
 
 March thesis_march(March march) {
   const double unit_m = march.step_m.value_or(20.0);  // tuned: fine enough for the presets, and 500 reach far
+  march.distance_field = false;
   march.structure = march.random_first_step = march.lighting = true;
   march.adaptive_step = false;
   march.step_m = unit_m;
@@ -44,6 +45,9 @@ void apply(TrackVariant variant, March& march, Phase& phase) {
       break;
     case TrackVariant::structure_off:
       march.structure = false;
+      break;
+    case TrackVariant::distance_field:
+      march.distance_field = true;
       break;
     case TrackVariant::adaptive_on:
       march.adaptive_step = true;

@@ -28,9 +28,17 @@ class GpuTest : public testing::Test {
 
  private:
   friend class OwnContextTest;
+  friend class EndOfContext;
   static inline std::unique_ptr<Context> shared_;
   int errors_before_ = 0;
 };
+
+// A driver may be gone before what is static is destroyed.
+class EndOfContext : public testing::Environment {
+ public:
+  void TearDown() override { GpuTest::shared_.reset(); }
+};
+inline testing::Environment* const end_of_context = testing::AddGlobalTestEnvironment(new EndOfContext);
 
 // For tests that make a context themselves: a thread has one at a time.
 class OwnContextTest : public testing::Test {

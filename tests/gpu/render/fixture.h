@@ -46,9 +46,17 @@ class RenderTest : public testing::Test {
 
  private:
   friend class OwnStackTest;
+  friend class EndOfStack;
   static inline std::unique_ptr<Stack> shared_;
   int errors_before_ = 0;
 };
+
+// A driver may be gone before what is static is destroyed.
+class EndOfStack : public testing::Environment {
+ public:
+  void TearDown() override { RenderTest::shared_.reset(); }
+};
+inline testing::Environment* const end_of_stack = testing::AddGlobalTestEnvironment(new EndOfStack);
 
 // For tests that make a stack themselves: a thread has one context at a time.
 class OwnStackTest : public testing::Test {

@@ -40,8 +40,10 @@ TEST_F(PassClockTest, passes_add_up_to_the_frame) {
     EXPECT_GT(pass.ms, 0) << pass.name;
     sum_ms += pass.ms, sum_cpu_ms += pass.cpu_ms;
   }
-  EXPECT_LE(sum_ms, frame.timings.render_ms);
-  EXPECT_GT(sum_ms, 0.7 * frame.timings.render_ms);
+  // A GPU's own time; software works while the renderer waits.
+  const double whole_ms = stack().context.device().software ? frame.timings.render_ms : frame.timings.gpu_ms;
+  EXPECT_LE(sum_ms, 1.1 * whole_ms);
+  EXPECT_GT(sum_ms, 0.7 * whole_ms);
   EXPECT_EQ(sum_cpu_ms > 0, stack().context.device().software);
 }
 

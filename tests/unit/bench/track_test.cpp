@@ -29,14 +29,15 @@ std::vector<FrameRequest> requests(const std::vector<TrackVariant>& variants) {
 }
 
 TEST(TrackVariants, AreNamedWithCommasAndTheBaseIsFirst) {
-  EXPECT_THAT(variants_of("all"), ElementsAre(base, structure_off, adaptive_on, light_off, phase_mie, phase_none));
+  EXPECT_THAT(variants_of("all"),
+              ElementsAre(base, structure_off, distance_field, adaptive_on, light_off, phase_mie, phase_none));
   EXPECT_THAT(variants_of("light-off"), ElementsAre(base, light_off));
   EXPECT_THAT(variants_of("phase-none,base,phase-mie,phase-none"), ElementsAre(base, phase_none, phase_mie));
 }
 
 TEST(TrackVariants, AreRefusedByName) {
   const std::string known =
-      "must be all, or names among base, structure-off, adaptive-on, light-off, phase-mie, phase-none";
+      "must be all, or names among base, structure-off, distance-field, adaptive-on, light-off, phase-mie, phase-none";
   EXPECT_EQ(refusal([] { variants_of("light-off,structure"); }).sentence, "--variants has 'structure': " + known);
   EXPECT_EQ(refusal([] { variants_of(""); }).sentence, "--variants has '': " + known);
   EXPECT_EQ(refusal([] { variants_of("light-off,"); }).sentence, "--variants has '': " + known);
@@ -52,7 +53,7 @@ TEST(TrackVariants, TheBaseHasTheThesisSettings) {
   EXPECT_EQ(request.march.max_distance_m, 10000);
   EXPECT_GE(*request.march.step_m * *request.march.max_steps, request.march.max_distance_m);
   EXPECT_TRUE(request.march.structure && request.march.random_first_step && request.march.lighting);
-  EXPECT_FALSE(request.march.adaptive_step);
+  EXPECT_FALSE(request.march.adaptive_step || request.march.distance_field);
   EXPECT_EQ(request.cloudscape->medium.phase.kind, PhaseKind::henyey_greenstein);
   EXPECT_EQ(request.quality.march_divisor, 1);
   EXPECT_EQ(request.quality.samples, 1);
@@ -81,6 +82,7 @@ TEST(TrackVariants, EachChangesOneThing) {
       mine = theirs;
     };
     differs(march.structure, first.march.structure, "structure");
+    differs(march.distance_field, first.march.distance_field, "distances");
     differs(march.adaptive_step, first.march.adaptive_step, "adaptive");
     differs(march.lighting, first.march.lighting, "lighting");
     differs(cloudscape.medium.phase.kind, first.cloudscape->medium.phase.kind, "phase");
@@ -89,6 +91,7 @@ TEST(TrackVariants, EachChangesOneThing) {
     return names;
   };
   EXPECT_EQ(changed(structure_off), "structure");
+  EXPECT_EQ(changed(distance_field), "distances");
   EXPECT_EQ(changed(adaptive_on), "adaptive");
   EXPECT_EQ(changed(light_off), "lighting");
   EXPECT_EQ(changed(phase_mie), "phase");
