@@ -87,8 +87,9 @@ void add_bench_track(CLI::App& bench, Run& run) {
       ->capture_default_str()
       ->check(CLI::Range(1, 100000));
   command
-      ->add_option("--variants", options->variants,
-                   "all, or some of structure-off, distance-field, adaptive-on, light-off, phase-mie, phase-none, with commas")
+      ->add_option(
+          "--variants", options->variants,
+          "all, or some of structure-off, distance-field, adaptive-on, light-off, phase-mie, phase-none, with commas")
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "JSON file to write, or a folder for it and the plots");
   command->add_option("--plots", options->plots, "Folder for the plots (SVG)");

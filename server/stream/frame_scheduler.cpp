@@ -127,7 +127,14 @@ struct FrameScheduler::State {
     ViewerStream* viewer = stream(id);
     if (viewer || stills.contains(id)) turns.charge(id, work.still, bills.ended(work, timings));
     if (work.still) return end_still(id) ? "still" : "";
-    return viewer && viewer->rendered(work, render_ms, now) ? "stream" : "";
+    return viewer && viewer->rendered(work, render_ms, turn_ms(timings, render_ms, now), now) ? "stream" : "";
+  }
+
+  // A frame's time with those of all streams that move, which share one device: what each may take is less the more
+  // there are. A GPU works on while the render thread has long gone on to the next frame.
+  double turn_ms(const FrameTimings& timings, double render_ms, Time now) const {
+    const auto moving = std::ranges::count_if(streams, [&](const auto& entry) { return entry.second.moves(now); });
+    return std::max(render_ms, plausible_ms(timings.gpu_ms)) * static_cast<double>(std::max<std::ptrdiff_t>(moving, 1));
   }
 
   void count_dropped(const char* reason) {

@@ -176,11 +176,16 @@ bool ViewerStream::yield(const Work& work) {
   return yielded_;
 }
 
-bool ViewerStream::rendered(const Work& work, double render_ms, Time now) {
+bool ViewerStream::moves(Time now) const {
+  constexpr auto lately = std::chrono::milliseconds(500);  // tuned: a pause in a movement is no reason for finer detail
+  return runs() || now - moved_at_ < lately;
+}
+
+bool ViewerStream::rendered(const Work& work, double render_ms, double turn_ms, Time now) {
   if (!in_render(work)) return false;
   const RenderQuality& quality = work.request.quality;
   if (work.quality_stage == moving_stage)
-    detail_.rendered({quality.reuse, quality.resolution_divisor}, render_ms);
+    detail_.rendered({quality.reuse, quality.resolution_divisor}, turn_ms);
   else
     accumulated_ = work.request.first_sample + quality.samples;
   flights_.rendered(work.frame_id, work.quality_stage == moving_stage, render_ms);

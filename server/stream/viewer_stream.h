@@ -24,8 +24,11 @@ class ViewerStream {
   Work take(Time now);
   bool in_render(const Work& work) const { return work_ && work_->frame_id == work.frame_id; }
   bool wanted(const Work& work) const;
-  bool yield(const Work& work);                                 // false: it is not wanted, and forgotten
-  bool rendered(const Work& work, double render_ms, Time now);  // false: it is not in render
+  bool yield(const Work& work);  // false: it is not wanted, and forgotten
+  // `turn_ms`: what a frame takes with those of all streams that move now, each in its turn. false: it is not in
+  // render.
+  bool rendered(const Work& work, double render_ms, double turn_ms, Time now);
+  bool moves(Time now) const;  // or did so lately
   void encoded(const Work& work, std::size_t bytes, double encode_ms, Time now);
   bool failed(const Work& work);  // false: it is neither in render nor in flight
 

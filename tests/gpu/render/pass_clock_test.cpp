@@ -42,7 +42,7 @@ TEST_F(PassClockTest, passes_add_up_to_the_frame) {
   }
   // A GPU's own time; software works while the renderer waits.
   const double whole_ms = stack().context.device().software ? frame.timings.render_ms : frame.timings.gpu_ms;
-  EXPECT_LE(sum_ms, 1.1 * whole_ms);
+  EXPECT_LE(sum_ms, 1.3 * whole_ms);  // a GPU's timer stops before the picture is on its way back
   EXPECT_GT(sum_ms, 0.7 * whole_ms);
   EXPECT_EQ(sum_cpu_ms > 0, stack().context.device().software);
 }

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "scheduler_test.h"
+#include "stream/quality_control.h"
 
 namespace cloudscape::stream {
 namespace {
@@ -121,6 +122,32 @@ TEST_F(SharesTest, time_that_nobody_else_wants_is_the_large_ones) {
   const StreamId large = open({60, 7});
   fly(10);
   EXPECT_GE(frames_per_second(large, 10), 2.3);
+}
+
+// The target is 50 ms; a frame takes 20, whatever its detail.
+TEST_F(SharesTest, detail_is_what_all_who_move_can_have_in_their_turns) {
+  const auto detail_of = [&](StreamId stream) {
+    for (int i = 0; i < 1000; ++i, pass(1)) {
+      scheduler.update(stream, looking(++azimuth));
+      const auto work = take();
+      if (!work) continue;
+      finish(*work, {.render_ms = 20});
+      if (work->request.stream == stream) return moving_detail_of(work->request.quality);
+    }
+    return -1;
+  };
+  const StreamId first = open({20, 1});
+  fly(3);
+  EXPECT_EQ(detail_of(first), 0) << "alone it has the finest";
+  for (int i = 0; i < 3; ++i) open({20, 1});
+  fly(3);
+  EXPECT_GE(detail_of(first), 3) << "four take 80 ms for a frame of each";
+  while (costs.size() > 1) {
+    scheduler.close(std::prev(costs.end())->first);
+    costs.erase(std::prev(costs.end()));
+  }
+  fly(30);
+  EXPECT_EQ(detail_of(first), 0) << "and alone again, it has it again";
 }
 
 TEST_F(SharesTest, a_device_that_works_on_after_the_slice_is_shared_alike) {
