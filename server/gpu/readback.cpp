@@ -1,6 +1,7 @@
 // Pixel buffers with fences, and timestamp queries.
 #include "gpu/readback.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -16,14 +17,43 @@ GLenum wait_for(void* fence, GLuint64 timeout_ns) {
   return glClientWaitSync(static_cast<GLsync>(fence), GL_SYNC_FLUSH_COMMANDS_BIT, timeout_ns);
 }
 
+constexpr std::size_t most_free = 6;  // tuned: streams of a few sizes, some frames of each on their way
+
+GLuint new_buffer(std::size_t bytes) {
+  GLuint buffer = 0;
+  glCreateBuffers(1, &buffer);
+  label_object(GL_BUFFER, buffer, "readback");
+  // CLIENT_STORAGE asks for memory that the processor reads fast: it is written once and read once.
+  glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
+  return buffer;
+}
+
 }  // namespace
 
-Readback::Readback(const Texture& texture) : bytes_(texture.bytes()) {
+ReadbackBuffers::~ReadbackBuffers() {
+  for (const Free& each : free_) glDeleteBuffers(1, &each.buffer);
+}
+
+unsigned ReadbackBuffers::take(std::size_t bytes) {
+  const auto found = std::ranges::find(free_, bytes, &Free::bytes);
+  if (found == free_.end()) return new_buffer(bytes);
+  const unsigned buffer = found->buffer;
+  free_.erase(found);
+  return buffer;
+}
+
+void ReadbackBuffers::give_back(unsigned buffer, std::size_t bytes) {
+  if (buffer == 0) return;
+  free_.push_back({buffer, bytes});
+  if (free_.size() <= most_free) return;
+  glDeleteBuffers(1, &free_.front().buffer);
+  free_.erase(free_.begin());
+}
+
+Readback::Readback(const Texture& texture, std::shared_ptr<ReadbackBuffers> buffers)
+    : buffers_(std::move(buffers)), bytes_(texture.bytes()) {
   const FormatRow& row = row_of(texture.format());
-  glCreateBuffers(1, &buffer_);
-  label_object(GL_BUFFER, buffer_, "readback");
-  // CLIENT_STORAGE asks for memory that the processor reads fast: it is written once and read once.
-  glNamedBufferStorage(buffer_, static_cast<GLsizeiptr>(bytes_), nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
+  buffer_ = buffers_ ? buffers_->take(bytes_) : new_buffer(bytes_);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
   glGetTextureImage(texture.id(), 0, row.components, row.type, static_cast<GLsizei>(bytes_), nullptr);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
@@ -33,12 +63,16 @@ Readback::Readback(const Texture& texture) : bytes_(texture.bytes()) {
 
 Readback::~Readback() {
   glDeleteSync(static_cast<GLsync>(fence_));
-  glDeleteBuffers(1, &buffer_);
+  if (buffers_)
+    buffers_->give_back(buffer_, bytes_);
+  else
+    glDeleteBuffers(1, &buffer_);
 }
 
 Readback::Readback(Readback&& other) noexcept { *this = std::move(other); }
 
 Readback& Readback::operator=(Readback&& other) noexcept {
+  std::swap(buffers_, other.buffers_);
   std::swap(buffer_, other.buffer_);
   std::swap(fence_, other.fence_);
   std::swap(bytes_, other.bytes_);

@@ -3,17 +3,37 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "gpu/texture.h"
 
 namespace cloudscape::gpu {
 
+// Pixel buffers that are used again: a driver takes longer to make one than to fill it.
+class ReadbackBuffers {
+ public:
+  ReadbackBuffers() = default;
+  ~ReadbackBuffers();
+  ReadbackBuffers(const ReadbackBuffers&) = delete;
+  ReadbackBuffers& operator=(const ReadbackBuffers&) = delete;
+  unsigned take(std::size_t bytes);
+  void give_back(unsigned buffer, std::size_t bytes);
+
+ private:
+  struct Free {
+    unsigned buffer;
+    std::size_t bytes;
+  };
+  std::vector<Free> free_;  // the longest unused first
+};
+
 // Texels on their way to memory: a pixel buffer and a fence.
 class Readback {
  public:
   Readback() = default;
-  explicit Readback(const Texture& texture);  // starts the copy of the whole texture, in its own format
+  // Starts the copy of the whole texture, in its own format. Without `buffers` it makes a buffer of its own.
+  explicit Readback(const Texture& texture, std::shared_ptr<ReadbackBuffers> buffers = nullptr);
   ~Readback();
   Readback(Readback&& other) noexcept;
   Readback& operator=(Readback&& other) noexcept;
@@ -22,6 +42,7 @@ class Readback {
   explicit operator bool() const { return buffer_ != 0; }
 
  private:
+  std::shared_ptr<ReadbackBuffers> buffers_;
   unsigned buffer_ = 0;
   void* fence_ = nullptr;
   std::size_t bytes_ = 0;

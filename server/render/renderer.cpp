@@ -274,7 +274,7 @@ PendingFrame Renderer::finish(std::unique_ptr<RenderJob> job) {
     frame_block_.bind();
     prepare_bloom(*job->targets, job->request);
     passes_.tone_map(*job->targets, history.accumulation, job->passes);
-    pending.display = gpu::Readback(job->targets->display);
+    pending.display = gpu::Readback(job->targets->display, readbacks_);
   } else {
     pending.radiance = gpu::Readback(history.accumulation.radiance);
     pending.depth = gpu::Readback(history.accumulation.depth);
@@ -297,7 +297,7 @@ PendingFrame Renderer::finish_resolved(std::unique_ptr<RenderJob> job) {
   job->passes.start();
   PendingFrame pending;
   pending.samples = 1;
-  pending.display = gpu::Readback(resolver_.present(*job->resolved, passes_.bloom(), job->passes));
+  pending.display = gpu::Readback(resolver_.present(*job->resolved, passes_.bloom(), job->passes), readbacks_);
   job->passes.lap("read_back");
   context_.flush();
   pending.request = std::move(job->resolved->asked);

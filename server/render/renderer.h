@@ -111,6 +111,7 @@ class Renderer {
   WaterStage water_;
   PathTracer tracer_;
   TargetPool pool_;
+  std::shared_ptr<gpu::ReadbackBuffers> readbacks_ = std::make_shared<gpu::ReadbackBuffers>();  // of what is displayed
   gpu::UniformBlock<FrameBlock> frame_block_;
   gpu::UniformBlock<CloudBlock> cloud_block_;
   std::map<StreamId, History> histories_;

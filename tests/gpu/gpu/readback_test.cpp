@@ -45,6 +45,27 @@ TEST_F(ReadbackTest, ManyMayBeUnderWayAndEndInAnyOrder) {
   for (int i = 19; i >= 0; --i) EXPECT_EQ(readbacks[static_cast<std::size_t>(i)].take().front(), i);
 }
 
+TEST_F(ReadbackTest, BuffersAreUsedAgainAndFewAreKept) {
+  const auto buffers = std::make_shared<ReadbackBuffers>();
+  const unsigned first = buffers->take(64), other = buffers->take(64);
+  EXPECT_NE(first, other);
+  buffers->give_back(first, 64);
+  EXPECT_NE(buffers->take(128), first) << "it has another size";
+  EXPECT_EQ(buffers->take(64), first);
+  for (int round = 0; round < 3; ++round) {
+    Texture texture(Format::r32f, 4, 4, "numbers");
+    std::vector<float> numbers(16, static_cast<float>(round));
+    std::vector<std::uint8_t> bytes(64);
+    std::memcpy(bytes.data(), numbers.data(), 64);
+    texture.upload(bytes);
+    EXPECT_EQ(Readback(texture, buffers).take(), bytes) << "not what another read into it before";
+  }
+  std::vector<Readback> many;
+  const Texture texture(Format::r32f, 4, 4, "numbers");
+  for (int i = 0; i < 20; ++i) many.emplace_back(texture, buffers);
+  many.clear();
+}
+
 TEST_F(ReadbackTest, TimersNestAndGrowWithTheWork) {
   ShaderFolder folder;
   folder.write("slow.glsl",
