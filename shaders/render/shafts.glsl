@@ -6,7 +6,7 @@
 #include "render/sun_depth.glsl"
 
 // tuned: farther out shadows are narrower than the look-ups lie apart, which shows as noise. They fade on the way there.
-const float farthest_shaft_m = 30000.0;
+const float farthest_shaft_m = 15000.0;
 // tuned: look-ups along a ray: 2 with the four steps towards the light of moving pictures, which have no time and are averaged over frames,
 // 8 and 12 in others.
 const float fewest_shaft_samples = 2.0;
@@ -49,13 +49,14 @@ float air_weight(CameraRay ray, float at_m, float hidden_per_m) {
 }
 
 // Look-ups share the light between them by what their parts of the ray scatter; they lie closer to each other near the camera, where
-// shadows are seen in most detail. Sums of what is missing of haze and air, and of weights: of all of the ray, and before the cloud.
+// shadows are seen in most detail. Sums of what is missing of the haze's beam and of the air's light, of what the haze has instead of the
+// beam, and of weights: of all of the ray, and before the cloud.
 struct ShaftSums {
-  vec3 behind, before;
+  vec4 behind, before;
 };
 
 ShaftSums shaft_sums(CameraRay ray, vec2 stretch, float cloud_m, float hidden_per_m, float samples, float jitter) {
-  ShaftSums sums = ShaftSums(vec3(0.0), vec3(0.0));
+  ShaftSums sums = ShaftSums(vec4(0.0), vec4(0.0));
   float beam_share = 1.0 - forwardness() * forwardness();
   float begin_m = stretch.x;
   for (float i = 0.0; i < samples; ++i) {
@@ -64,7 +65,8 @@ ShaftSums shaft_sums(CameraRay ray, vec2 stretch, float cloud_m, float hidden_pe
     float weight = (next_m - begin_m) * air_weight(ray, at_m, hidden_per_m);
     float depth = sun_depth_at(ray.origin + ray.direction * at_m);
     float near = 1.0 - at_m * at_m / (farthest_shaft_m * farthest_shaft_m);
-    vec3 missing = weight * vec3(near * (1.0 - exp(-beam_share * depth)), near * (1.0 - slab_transmittance(depth)), 1.0);
+    float beam = exp(-beam_share * depth), through = slab_transmittance(depth);
+    vec4 missing = weight * vec4(near * vec3(1.0 - beam, 1.0 - through, max(through - beam, 0.0)), 1.0);
     sums.behind += missing;
     sums.before += missing * clamp((cloud_m - begin_m) / (next_m - begin_m), 0.0, 1.0);
     begin_m = next_m;
@@ -72,9 +74,11 @@ ShaftSums shaft_sums(CameraRay ray, vec2 stretch, float cloud_m, float hidden_pe
   return sums;
 }
 
-vec3 missing_light(vec3 sums, AirSource first, AirSource last, float phase) {
-  vec3 light = sums.x * phase * (last.aerosol - first.aerosol) + sums.y * direct_share_of_air * (last.even - first.even);
-  return light / max(sums.z, 1.0e-30);
+// What the clouds let through but not as a beam comes to the haze from all sides.
+vec3 missing_light(vec4 sums, AirSource first, AirSource last, float phase) {
+  float haze = sums.x * phase - sums.z * phase_isotropic;
+  vec3 light = haze * (last.aerosol - first.aerosol) + sums.y * direct_share_of_air * (last.even - first.even);
+  return light / max(sums.w, 1.0e-30);
 }
 
 AirShadow air_shadow(CameraRay ray, float end_m, float cloud_m, float jitter) {
