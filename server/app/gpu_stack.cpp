@@ -23,7 +23,6 @@ void keep_memory_of_frames() {
 }
 
 gpu::ContextOptions context_options(const GpuOptions& options) {
-  keep_memory_of_frames();
   return {options.egl_device, options.require_gpu, gpu::pass_execution_from(options.pass_execution)};
 }
 
@@ -72,7 +71,9 @@ GpuStack::GpuStack(const GpuOptions& options, bake::BakeStore::Progress progress
       shaders(options.shader_dir),
       bakes(shaders, bake::BakeCache(cache_folder(options.cache_dir), bytes_of_mib(options.cache_limit_mib)),
             device_bake_bytes, std::move(progress), options.volume_dir),
-      renderer(context, shaders, bakes, options.height_map_dir) {}
+      renderer(context, shaders, bakes, options.height_map_dir) {
+  keep_memory_of_frames();
+}
 
 bake::BakeStore::Progress progress_on_stderr() {
   const bool terminal = isatty(STDERR_FILENO) != 0;

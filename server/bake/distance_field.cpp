@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "bake/blocks.h"
+#include "bake/cells.h"
 
 namespace cloudscape::bake {
 namespace {
@@ -17,12 +18,6 @@ constexpr int most_searched = 16;
 // Thresholds lie on a grid of this fineness, so that a small change of the coverage needs no new field. tuned: what is
 // enclosed too much by it is less than what erosion takes away.
 constexpr double threshold_grain = 1.0 / 64;
-
-Texture cells(Format format, const glm::ivec3& size, const char* label) {
-  Texture texture(format, size.x, size.y, size.z, label);
-  texture.sample_with(gpu::Filter::nearest, gpu::Wrap::repeat, gpu::Wrap::repeat, gpu::Wrap::clamp);
-  return texture;
-}
 
 // Around the tile no cell is searched twice; up and down all are.
 glm::ivec3 searched(const glm::ivec3& size) {
@@ -139,16 +134,8 @@ Texture DistanceFieldBuilder::build(const BakedCloudscape& baked, const Distance
 }
 
 const Texture& DistanceFieldBuilder::of(const BakedCloudscape& baked, const DistancePlan& plan) const {
-  auto& kept = baked.distance_fields_;
-  const auto found = std::find_if(kept.begin(), kept.end(), [&](const auto& each) { return each.first == plan; });
-  if (found != kept.end()) {
-    kept.splice(kept.begin(), kept, found);
-  } else {
-    constexpr std::size_t most = 3;  // documents that differ in nothing but their coverage or the land
-    kept.emplace_front(plan, build(baked, plan));
-    if (kept.size() > most) kept.pop_back();
-  }
-  return kept.front().second;
+  constexpr std::size_t most = 3;  // documents that differ in nothing but their coverage or the land
+  return kept_of(baked.distance_fields_, plan, most, [&] { return build(baked, plan); });
 }
 
 }  // namespace cloudscape::bake

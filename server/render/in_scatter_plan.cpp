@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bake/in_scatter.h"
+#include "render/block_values.h"
 
 namespace cloudscape::render {
 namespace {
@@ -19,7 +20,7 @@ constexpr double fine_shade = 0.5;
 
 bool repeats(const Cloudscape& sky) {
   const VolumeKind kind = sky.volume.kind;
-  return kind == VolumeKind::slab || ((kind == VolumeKind::noise || is_from_file(kind)) && sky.volume.tiling);
+  return kind == VolumeKind::slab || (is_textured(kind) && sky.volume.tiling);
 }
 
 // Across a box that stands alone one point lies outside at either side.

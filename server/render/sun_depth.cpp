@@ -12,8 +12,7 @@ using gpu::Filter, gpu::Format, gpu::Texture, gpu::Wrap;
 constexpr std::size_t most_clouds = 4, most_lit = 6;  // tuned: what the streams of a server look at together; 2 MB each
 
 bool casts_shadows(const CloudBlock& cloud, const Cloudscape& sky) {
-  const bool textured = sky.volume.kind == VolumeKind::noise || is_from_file(sky.volume.kind);
-  return textured && cloud.medium.x > 0 && cloud.march.w > cloud.march.z;
+  return is_textured(sky.volume.kind) && cloud.medium.x > 0 && cloud.march.w > cloud.march.z;
 }
 
 int levels_of(const CloudBlock& cloud) { return static_cast<int>(cloud.in_scatter_scale.w); }

@@ -31,7 +31,6 @@ class SunDepths {
 
   static constexpr int across = 96, layers = 16;  // cells of a level: tuned, a volume of sharper shadows bakes longer
   static constexpr int layers_per_slice = 4;      // as many as a work group has
-  static constexpr int most_steps = 48;           // shaders/render/sun_depth.comp
 
  private:
   struct Light {  // what the volume depends on beside the clouds

@@ -2,15 +2,14 @@
 // it of the square of the gap to them and what the axes before found there. East and north go on around the tile's edges.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/distance_block.glsl"
+#include "bake/around_edges.glsl"
 layout(binding = 0, rgba32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D squares;
 
 vec4 square_at(ivec3 cell) {
   ivec3 size = distance_values.cells.xyz;
-  cell.xy += size.xy * ivec2(lessThan(cell.xy, ivec2(0)));
-  cell.xy -= size.xy * ivec2(greaterThanEqual(cell.xy, size.xy));
   cell.z = clamp(cell.z, 0, size.z - 1);  // seen already, and nearer
-  return texelFetch(squares, cell, 0);
+  return texelFetch(squares, around_edges(cell, size), 0);
 }
 
 void main() {

@@ -1,13 +1,13 @@
 // How fast the shape noise changes, at most, in each cube of eight texel middles: from the texel to the next east, north and up (1/m).
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/distance_block.glsl"
+#include "bake/around_edges.glsl"
 layout(binding = 0, r32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D shape_texture;
 
 // Shape (x) and what the finer channels make of it (y).
 vec2 corner(ivec3 at, ivec3 size) {
-  at -= size * ivec3(greaterThanEqual(at, size));
-  vec4 noise = texelFetch(shape_texture, at, 0);
+  vec4 noise = texelFetch(shape_texture, around_edges(at, size), 0);
   return vec2(noise.x, max(1.0 + dot(distance_values.weights.yzw, noise.yzw - 0.5), 0.0));
 }
 

@@ -1,13 +1,9 @@
 // The steepest slope of the shape noise in each cell (1/m).
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/distance_block.glsl"
+#include "bake/around_edges.glsl"
 layout(binding = 0, rg32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D slopes;
-
-// A texel within a size of the texture, without a division.
-ivec3 around_edges(ivec3 texel, ivec3 size) {
-  return texel + size * (ivec3(lessThan(texel, ivec3(0))) - ivec3(greaterThanEqual(texel, size)));
-}
 
 void main() {
   ivec3 cell = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, volume_pass.z_begin);

@@ -2,21 +2,17 @@
 // beyond its faces as it is to reach.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/structure_block.glsl"
+#include "bake/around_edges.glsl"
 layout(binding = 0, rg32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D shape_texture;
 
-// A texel within a size of the texture, without a division.
-ivec3 around_edges(ivec3 texel, ivec3 size) {
-  texel += size * ivec3(lessThan(texel, ivec3(0)));
-  texel -= size * ivec3(greaterThanEqual(texel, size));
-  return clamp(texel, ivec3(0), size - 1);
-}
+ivec3 inside(ivec3 texel, ivec3 size) { return clamp(around_edges(texel, size), ivec3(0), size - 1); }
 
 // Shape (x) and what the finer channels make of it (y), the greatest of the four texels of a cube's face.
 vec2 face_maximum(ivec3 at, ivec3 size) {
   vec2 most = vec2(-1.0e9);
   for (int i = 0; i < 4; ++i) {
-    vec4 noise = texelFetch(shape_texture, around_edges(at + ivec3(0, i & 1, i >> 1), size), 0);
+    vec4 noise = texelFetch(shape_texture, inside(at + ivec3(0, i & 1, i >> 1), size), 0);
     most = max(most, vec2(noise.x, 1.0 + dot(structure_values.weights.yzw, noise.yzw - 0.5)));
   }
   return most;

@@ -84,8 +84,7 @@ vec4 octave_phases(float cos_theta, vec4 broadening) {
 // Light of a part of the sphere goes on in its own direction rather than back: a phase function of two terms, (1 + 3 g cos) / 4 pi,
 // which is never negative up to g = 1/3. tuned: what is left of the droplets' asymmetry after some orders.
 float ambient_asymmetry() {
-  bool directed = cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie;
-  return directed ? clamp(0.4 * cloud.phase.x, -0.33, 0.33) : 0.0;
+  return phase_has_asymmetry() ? clamp(0.4 * cloud.phase.x, -0.33, 0.33) : 0.0;
 }
 // `solid_angle`: the part's share of the sphere. `cosine`: mean of that between its directions and the view ray's. All weights add up to 1.
 float ambient_weight(float solid_angle, float cosine, float g) { return solid_angle * (1.0 + 3.0 * g * cosine); }

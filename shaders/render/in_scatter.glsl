@@ -18,10 +18,9 @@ InScatterPlace in_scatter_place(vec3 p, Land land) {
   if (is_textured()) place = vec3(p.xy * cloud.tile.xy + cloud.tile.zw + land.shift, height_in_layer(p));
   vec3 at = place * cloud.in_scatter_scale.xyz + cloud.in_scatter_offset.xyz;
   float levels = cloud.in_scatter_scale.w;
-  float level = clamp((land.threshold - cloud.in_scatter_levels.x) * cloud.in_scatter_levels.y, 0.0, levels - 1.0);
-  float lower = min(floor(level), max(levels - 2.0, 0.0));
+  vec2 level = light_level(land);
   float half_texel = 0.5 * levels / float(textureSize(in_scatter_mean, 0).z);
-  return InScatterPlace(vec3(at.xy, (lower + clamp(at.z, half_texel, 1.0 - half_texel)) / levels), 1.0 / levels, level - lower);
+  return InScatterPlace(vec3(at.xy, (level.x + clamp(at.z, half_texel, 1.0 - half_texel)) / levels), 1.0 / levels, level.y);
 }
 
 // Of a volume's texture, between the levels about the place.

@@ -58,6 +58,15 @@ Land land_at(vec3 p) {
   return Land(cloud.shape.x + cloud.shape.z * (slow.x - 0.5), cloud.shape.w * (slow.yz - 0.5));
 }
 
+// Volumes of light are of some levels of the threshold, one above the other: the lower of the two about the land's, and its distance from
+// that (0..1, in levels).
+vec2 light_level(Land land) {
+  float levels = cloud.in_scatter_scale.w;
+  float level = clamp((land.threshold - cloud.in_scatter_levels.x) * cloud.in_scatter_levels.y, 0.0, levels - 1.0);
+  float lower = min(floor(level), max(levels - 2.0, 0.0));
+  return vec2(lower, level - lower);
+}
+
 const float outside_volume = -1.0;  // as a value of the shape: lower than any inside
 
 // Shape noise above the threshold; not above 0: no cloud. What erosion takes off it comes after.

@@ -17,13 +17,12 @@ float sun_depth_in_layer(vec3 p, Land land) {
   float altitude_m = cloud.layer.x + height_in_layer(p) / cloud.layer.z;
   float up = clamp((altitude_m - cloud.march.z) / (cloud.march.w - cloud.march.z), 0.0, 1.0);
   vec2 across = tile_at(p) + land.shift;
-  float level = clamp((land.threshold - cloud.in_scatter_levels.x) * cloud.in_scatter_levels.y, 0.0, levels - 1.0);
-  float lower = min(floor(level), max(levels - 2.0, 0.0));
+  vec2 level = light_level(land);
   int count = levels > 1.0 ? 2 : 1;  // a loop, which software goes through as often as it must
   float depth_m = 0.0;
   for (int i = 0; i < count; ++i) {
-    float row = (lower + float(i)) * layers + 0.5 + up * (layers - 1.0);
-    float share = i == 0 ? 1.0 - (level - lower) : level - lower;
+    float row = (level.x + float(i)) * layers + 0.5 + up * (layers - 1.0);
+    float share = i == 0 ? 1.0 - level.y : level.y;
     depth_m += share * textureLod(sun_depth_volume, vec3(across, row / (layers * levels)), 0.0).x;
   }
   return depth_m * cloud.medium.x;
@@ -41,10 +40,12 @@ float sun_depth_at(vec3 p) {
   return sun_depth_in_layer(leaves, land_at(leaves));
 }
 
+// Whether cloud.phase.x is a mean cosine.
+bool phase_has_asymmetry() { return cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie; }
+
 // The clouds' mean cosine, where they scatter forwards.
 float forwardness() {
-  bool directed = cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie;
-  return directed ? max(cloud.phase.x, 0.0) : 0.0;
+  return phase_has_asymmetry() ? max(cloud.phase.x, 0.0) : 0.0;
 }
 
 // Beam and diffuse light together: transmittance of a conservative slab by the two-stream equations (Bohren 1987).
