@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,13 @@ struct FrameTimings {
   std::vector<PassTime> passes = {};  // in their order; empty unless the request asks for them
 };
 
+// How a picture that was rendered small is shown.
+struct Enlargement {
+  ImageSize from_px;
+  int factor = 1;           // shown pixels of a rendered one, across and down
+  glm::dvec2 margin_px{0};  // of the small picture to the left of and above what is shown
+};
+
 struct Frame {
   FrameRequest request;
   int samples = 0;                         // that the picture averages, earlier frames' included
@@ -63,7 +71,8 @@ struct Frame {
   std::vector<float> radiance_rgba;        // linear; A = 1 - cloud transmittance; empty for display
   std::vector<float> depth_m;              // along the ray to cloud or ground, infinity for sky; empty for display
   FrameTimings timings;
-  std::vector<float> standard_error_rgb;  // of the radiance, as the mean of its samples; empty unless path-traced
+  std::vector<float> standard_error_rgb;        // of the radiance, as the mean of its samples; empty unless path-traced
+  std::optional<Enlargement> enlargement = {};  // display_rgba is of its size still: core/enlarge.h
 };
 
 enum class ImageFormat { jpeg, png, exr };

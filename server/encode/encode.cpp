@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 
+#include "core/enlarge.h"
 #include "core/error.h"
 #include "core/version.h"
 #include "encode/formats.h"
@@ -49,8 +50,11 @@ Bytes encode_checked(const Frame& frame, const Encoding& encoding, std::size_t f
 
 EncodedFrame encode(const Frame& frame, const Encoding& encoding, std::size_t front) {
   const auto start = std::chrono::steady_clock::now();
-  check(frame, encoding.format);
-  EncodedFrame encoded{encode_checked(frame, encoding, front), front, encoding.format, 0};
+  Frame larger;
+  if (frame.enlargement) enlarge(larger = frame);
+  const Frame& whole = frame.enlargement ? larger : frame;
+  check(whole, encoding.format);
+  EncodedFrame encoded{encode_checked(whole, encoding, front), front, encoding.format, 0};
   encoded.encode_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return encoded;
 }

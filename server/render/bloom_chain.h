@@ -34,8 +34,8 @@ struct BloomPlan {
   std::vector<BloomBlur> blurs;  // ascending levels, one at most for each
 };
 // tuned: rows of the finest level. In a still the core of the default glow is three texels wide, and more rows cost
-// more; in a moving picture half of them do.
-constexpr int bloom_rows = 180, moving_bloom_rows = 90;
+// more; in a moving picture a third of them do.
+constexpr int bloom_rows = 180, moving_bloom_rows = 60;
 // `radius`: of the glow, as a share of the picture's height. The finest level has about as many rows whatever the
 // picture's size: the glow looks and costs the same at each.
 BloomPlan bloom_plan(ImageSize size_px, double radius, int finest_rows = bloom_rows);

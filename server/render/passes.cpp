@@ -7,10 +7,8 @@ namespace cloudscape::render {
 using gpu::Binding, gpu::Format, gpu::ScreenPass, gpu::Texture;
 
 Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
-    : half_{ScreenPass(context, shaders, "render/scene.glsl", {Format::rgba16f, Format::r32f}),
-            ScreenPass(context, shaders, "render/march.glsl", {Format::rgba16f, Format::rg32f})},
-      full_{ScreenPass(context, shaders, "render/scene.glsl", {Format::rgba32f, Format::r32f}),
-            ScreenPass(context, shaders, "render/march.glsl", {Format::rgba32f, Format::rg32f})},
+    : half_scene_(context, shaders, "render/scene.glsl", {Format::rgba16f, Format::r32f}),
+      full_scene_(context, shaders, "render/scene.glsl", {Format::rgba32f, Format::r32f}),
       context_(context),
       shaders_(shaders),
       smooth_(context, shaders, "render/smooth.glsl", {Format::rgba16f, Format::rg32f}),
@@ -27,7 +25,7 @@ SceneKind scene_kind_of(const Cloudscape& cloudscape) {
 }
 
 const ScreenPass& Passes::scene_with(SceneKind kind, bool float32) const {
-  if (kind == SceneKind::plain) return float32 ? full_.scene : half_.scene;
+  if (kind == SceneKind::plain) return float32 ? full_scene_ : half_scene_;
   const bool water = kind == SceneKind::water;
   auto& pass = scenes_[(water ? 2 : 0) + (float32 ? 1 : 0)];
   const Format radiance = float32 ? Format::rgba32f : Format::rgba16f;
@@ -36,16 +34,27 @@ const ScreenPass& Passes::scene_with(SceneKind kind, bool float32) const {
   return *pass;
 }
 
-const ScreenPass& Passes::march_by_structure(bool float32) const {
-  auto& pass = marches_by_structure_[float32 ? 1 : 0];
-  const Format radiance = float32 ? Format::rgba32f : Format::rgba16f;
-  if (!pass) pass.emplace(context_, shaders_, "render/march_structure.glsl", std::vector{radiance, Format::rg32f});
-  return *pass;
+std::string march_kinds(const CloudBlock& cloud, SkyKind sky) {
+  const auto define = [](const char* name, double value) {
+    return std::string("#define ") + name + " " + std::to_string(static_cast<int>(value)) + "\n";
+  };
+  return define("VOLUME_KIND", cloud.layer.w) + define("PHASE_KIND", cloud.medium.w) +
+         define("LIGHT_KIND", cloud.phase.w) + define("SKY_KIND", static_cast<int>(sky)) +
+         (cloud.shape.z <= 0 ? "#define EVEN_COVERAGE\n" : "");
+}
+
+const ScreenPass& Passes::march_of(const Medium& medium, bool float32) const {
+  constexpr std::size_t most_programs = 24;  // tuned: of the documents that are shown by turns
+  const std::string defines = medium.kinds + (medium.distances ? "" : "#define THESIS_STRUCTURE\n");
+  const std::string name = defines + (float32 ? "32" : "16");
+  if (const auto found = marches_.find(name); found != marches_.end()) return found->second;
+  if (marches_.size() >= most_programs) marches_.clear();
+  const std::vector formats{float32 ? Format::rgba32f : Format::rgba16f, Format::rg32f};
+  return marches_.try_emplace(name, context_, shaders_, "render/march.glsl", formats, defines).first->second;
 }
 
 void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end,
                    PassClock& clock) const {
-  const Precision& precision = targets.float32 ? full_ : half_;
   const int divisor = targets.march_divisor;
   const Binding tables[] = {{8, &sky.air->transmittance}, {10, &sky.lights->light}, {14, &sky.view->aerial}};
   std::vector<Binding> textures{{0, &medium.baked.shape()},
@@ -70,8 +79,9 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   scene_with(medium.scene, targets.float32)
       .run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
   clock.lap("scene");
-  const ScreenPass& march_pass = medium.distances ? precision.march : march_by_structure(targets.float32);
-  march_pass.run({0, row_begin, targets.march_radiance.width(), row_end - row_begin}, march, textures);
+  const glm::ivec2 origin = targets.march_origin;
+  march_of(medium, targets.float32)
+      .run({origin.x, origin.y + row_begin, targets.march_size.width, row_end - row_begin}, march, textures);
   clock.lap("march");
 }
 
@@ -79,7 +89,7 @@ void Passes::composite(const Targets& targets, const Accumulation& previous, Pas
   if (targets.smooth) {
     const Binding march[] = {{0, &targets.march_radiance}, {1, &targets.march_depth}};
     const Texture* smooth[] = {&targets.smooth_radiance, &targets.smooth_depth};
-    smooth_.run({0, 0, targets.march_radiance.width(), targets.march_radiance.height()}, smooth, march);
+    smooth_.run({0, 0, targets.march_size.width, targets.march_size.height}, smooth, march);
     clock.lap("smooth");
   }
   const Binding textures[] = {{0, &targets.scene_radiance}, {1, &targets.scene_depth}, {2, &targets.clouds()},
@@ -104,13 +114,12 @@ void Passes::tone_map(const Targets& targets, const Accumulation& accumulation, 
 }
 
 void Passes::reload(gpu::ShaderLibrary& shaders) {
-  for (ScreenPass* pass : {&half_.scene, &half_.march, &full_.scene, &full_.march, &smooth_, &composite_,
-                           &composite_alone_, &tone_map_, &tone_map_bloom_})
+  for (ScreenPass* pass :
+       {&half_scene_, &full_scene_, &smooth_, &composite_, &composite_alone_, &tone_map_, &tone_map_bloom_})
     pass->reload(shaders);
   for (auto& pass : scenes_)
     if (pass) pass->reload(shaders);
-  for (auto& pass : marches_by_structure_)
-    if (pass) pass->reload(shaders);
+  for (auto& [name, pass] : marches_) pass.reload(shaders);
   bloom_.reload(shaders);
 }
 

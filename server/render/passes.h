@@ -2,7 +2,9 @@
 // map.
 #pragma once
 #include <array>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "bake/baked_cloudscape.h"
 #include "gpu/pass.h"
@@ -18,6 +20,10 @@ namespace cloudscape::render {
 enum class SceneKind { plain, land, water };
 SceneKind scene_kind_of(const Cloudscape& cloudscape);
 
+// Defines of the march that say what the blocks hold for every ray. Software computes both sides of every branch: a
+// program that knows takes a third less time.
+std::string march_kinds(const CloudBlock& cloud, SkyKind sky);
+
 class Passes {
  public:
   Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders);
@@ -31,6 +37,7 @@ class Passes {
     const InScatterVolume* in_scatter = nullptr;
     const gpu::Texture* sun_depth = nullptr;  // where clouds cast shadows
     SceneKind scene = SceneKind::plain;
+    std::string kinds = {};  // march_kinds
   };
   void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end,
              PassClock& clock) const;
@@ -43,15 +50,12 @@ class Passes {
 
  private:
   const gpu::ScreenPass& scene_with(SceneKind kind, bool float32) const;
-  const gpu::ScreenPass& march_by_structure(bool float32) const;
-  struct Precision {  // HDR targets of 16 or 32 bits
-    gpu::ScreenPass scene, march;
-  };
-  Precision half_, full_;
+  const gpu::ScreenPass& march_of(const Medium& medium, bool float32) const;
+  gpu::ScreenPass half_scene_, full_scene_;  // HDR targets of 16 or 32 bits
   const gpu::Context& context_;
   gpu::ShaderLibrary& shaders_;
   mutable std::array<std::optional<gpu::ScreenPass>, 4> scenes_;  // of land and water; once they are wanted
-  mutable std::array<std::optional<gpu::ScreenPass>, 2> marches_by_structure_;  // of 16 and 32 bits; likewise
+  mutable std::map<std::string, gpu::ScreenPass> marches_;        // by their defines and bits; once they are wanted
   gpu::ScreenPass smooth_, composite_, composite_alone_, tone_map_, tone_map_bloom_;
   Bloom bloom_;
 };

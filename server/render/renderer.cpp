@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/enlarge.h"
 #include "core/march_steps.h"
 #include "core/sun_position.h"
 #include "render/block_values.h"
@@ -93,11 +94,13 @@ bool Renderer::advance(RenderJob& job) {
   if (job.request.quality.technique == Technique::path_tracing) return advance_trace(job);
   if (!find_in_scatter(job) || !find_sun_depth(job) || !find_water(job)) return false;
   if (!job.targets) {
-    job.targets = pool_.acquire(job.request.size_px, job.request.quality);
+    const bool by_tiles = job.resolved && context_.device().software;
+    const RayPlaces places = by_tiles ? RayPlaces::over_tiles : RayPlaces::first;
+    job.targets = pool_.acquire(job.request.size_px, job.request.quality, places);
     job.timer.start();
   }
   render_rows(job);
-  if (job.row >= job.targets->march_radiance.height()) finish_sample(job);
+  if (job.row >= job.targets->march_size.height) finish_sample(job);
   const bool done = job.sample > job.last_sample;
   if (done) job.timer.stop();
   job.render_ms += ms_since(start);
@@ -148,7 +151,9 @@ Passes::Medium Renderer::medium_of(const RenderJob& job) {
     nearness = distances ? &distances_.of(*job.baked, distance_plan_of(*marched, *job.baked))
                          : &structures_.of(*job.baked, mixing_weights(*marched));
   const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
-  return {*job.baked, *nearness, distances, {}, phase, job.in_scatter.get(), job.sun_depth.get()};
+  Passes::Medium medium{*job.baked, *nearness, distances, {}, phase, job.in_scatter.get(), job.sun_depth.get()};
+  medium.kinds = march_kinds(cloud_values(job), job.request.cloudscape->sky.kind);
+  return medium;
 }
 
 // What water reflects.
@@ -200,7 +205,7 @@ void Renderer::finish_trace(RenderJob& job) {
 }
 
 int Renderer::rows_of_next_slice(const RenderJob& job) const {
-  const int width = job.targets->march_radiance.width();
+  const int width = job.targets->march_size.width;
   const MarchSteps steps = march_steps(job.request.march, job.request.quality);
   const double pixels =
       context_.device().software ? slice_ms * pixels_per_ms_ : gpu_steps_per_slice / std::max(1, steps.view);
@@ -218,9 +223,10 @@ CloudBlock Renderer::cloud_values(const RenderJob& job) const {
 SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
   FrameBlock frame = frame_block(job.request, sample);
   if (job.resolved) {
-    const glm::dvec2 offset = marched_offset(job.resolved->plan, job.resolved->frame);
+    const glm::dvec2 offset = marched_offset(job.resolved->plan, job.resolved->frame, job.resolved->resting);
     frame.lens.z = static_cast<float>(offset.x), frame.lens.w = static_cast<float>(offset.y);
     frame.accumulation.x = 1;  // each is a picture of its own
+    if (job.targets) frame.march_target = {job.targets->march_origin.x, job.targets->march_origin.y, 0, 0};
   }
   const CloudBlock cloud = cloud_values(job);
   frame_block_.upload(frame);
@@ -235,13 +241,13 @@ void Renderer::render_rows(RenderJob& job) {
   job.passes.start();
   const SkyTables::Set sky = bind_blocks(job, job.sample);
   job.passes.lap("sky");
-  const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_radiance.height());
+  const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_size.height);
   auto land = terrain_.bind(job.request, job.land);
   std::ranges::copy(water_.bind(job.request, job.water), std::back_inserter(land));
   Passes::Medium medium = medium_of(job);
   medium.land = land, medium.scene = scene_kind_of(*job.request.cloudscape);
   passes_.march(*job.targets, sky, medium, job.row, end, job.passes);
-  const double pixels = static_cast<double>(end - job.row) * job.targets->march_radiance.width();
+  const double pixels = static_cast<double>(end - job.row) * job.targets->march_size.width;
   job.row = end;
   if (!context_.device().software) return context_.flush();
   context_.finish();
@@ -298,6 +304,7 @@ PendingFrame Renderer::finish_resolved(std::unique_ptr<RenderJob> job) {
   PendingFrame pending;
   pending.samples = 1;
   pending.display = gpu::Readback(resolver_.present(*job->resolved, passes_.bloom(), job->passes), readbacks_);
+  pending.enlargement = enlargement_of(job->resolved->plan);
   job->passes.lap("read_back");
   context_.flush();
   pending.request = std::move(job->resolved->asked);
@@ -316,6 +323,7 @@ Frame Renderer::collect(PendingFrame pending) const {
   };
   Frame frame;
   frame.samples = pending.samples;
+  frame.enlargement = pending.enlargement;
   frame.timings = pending.timings;
   if (pending.display) frame.display_rgba = pending.display.take();
   if (pending.radiance) {
@@ -340,7 +348,9 @@ Frame Renderer::render(const FrameRequest& request) {
   auto job = begin(request);
   while (!advance(*job)) {
   }
-  return collect(finish(std::move(job)));
+  Frame frame = collect(finish(std::move(job)));
+  enlarge(frame);
+  return frame;
 }
 
 void Renderer::abandon(std::unique_ptr<RenderJob> job) {

@@ -50,6 +50,7 @@ struct PendingFrame {
   int samples = 0;
   FrameTimings timings;
   gpu::Readback display, radiance, depth, standard_error;
+  std::optional<Enlargement> enlargement;  // of the display
   gpu::Timer timer;
   PassClock passes;
   bool ready() const;
@@ -63,7 +64,8 @@ class Renderer {
   std::unique_ptr<RenderJob> begin(const FrameRequest& request);
   bool advance(RenderJob& job);  // renders (or first bakes) the next slice; true when all is rendered
   PendingFrame finish(std::unique_ptr<RenderJob> job);
-  Frame collect(PendingFrame pending) const;  // waits if it is not ready
+  // Waits if it is not ready. A picture that was rendered small is so still, for another thread to enlarge.
+  Frame collect(PendingFrame pending) const;
   Frame render(const FrameRequest& request);  // all of the above
   void abandon(std::unique_ptr<RenderJob> job);
   void forget(StreamId stream);              // frees what is kept to continue the stream's average

@@ -34,8 +34,9 @@ bool same_light(const Cloudscape& a, const Cloudscape& b) {
 // tuned: samples in a pixel's average. A resting picture gathers until its noise is gone; a moving one forgets what it
 // was re-projected from before that goes soft; a new light shows within some frames.
 constexpr double resting_samples = 32, moving_samples = 2, new_light_samples = 1;
-// tuned: by how much of its range a neighbourhood of noisy samples is widened. A resting picture needs no bound at all.
-constexpr double resting_margin = 1e4, moving_margin = 0.1, new_light_margin = 0;
+// tuned: by how much of its range a neighbourhood of noisy samples is widened. Wider keeps what falls between the
+// samples, and what has gone. A resting picture needs no bound at all.
+constexpr double resting_margin = 1e4, moving_margin = 0.6, new_light_margin = 0;
 
 }  // namespace
 
@@ -58,6 +59,11 @@ ResolvePlan resolve_plan(const FrameRequest& request) {
   return plan;
 }
 
+std::optional<Enlargement> enlargement_of(const ResolvePlan& plan) {
+  if (plan.kept == plan.shown) return std::nullopt;
+  return Enlargement{plan.kept, plan.divisor, plan.margin_px};
+}
+
 glm::ivec2 marched_pixel(int stride, std::uint64_t frame) {
   // One digit of base 4 is a place in 2x2, the lowest that of the largest squares.
   constexpr int columns[] = {0, 1, 1, 0}, rows[] = {0, 1, 0, 1};
@@ -78,13 +84,13 @@ FrameRequest marched_request(const FrameRequest& asked, const ResolvePlan& plan)
   return request;
 }
 
-glm::dvec2 marched_offset(const ResolvePlan& plan, std::uint64_t frame) {
-  const glm::ivec2 at = marched_pixel(plan.stride, frame);
+glm::dvec2 marched_offset(const ResolvePlan& plan, std::uint64_t frame, bool resting) {
+  const glm::dvec2 middle = glm::dvec2(marched_pixel(plan.stride, frame)) - 0.5 * (plan.stride - 1);
   // The R2 sequence (Roberts 2018), one number for all pixels of a round.
   const auto round = static_cast<double>(frame / static_cast<std::uint64_t>(plan.stride * plan.stride));
   const glm::dvec2 within(fraction(0.5 + 0.7548776662466927 * round) - 0.5,
                           fraction(0.5 + 0.5698402909980532 * round) - 0.5);
-  return (glm::dvec2(at) - 0.5 * (plan.stride - 1) + within) / static_cast<double>(plan.stride);
+  return (middle + (resting ? within : glm::dvec2(0))) / static_cast<double>(plan.stride);
 }
 
 int marched_sample(const ResolvePlan& plan, std::uint64_t frame) {
@@ -115,14 +121,14 @@ ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const K
   const bool new_light = !same_light(*then.cloudscape, *now.cloudscape);
   const glm::ivec2 at = marched_pixel(plan.stride, frame);
   ResolveBlock block{};
-  block.kept = {plan.kept.width, plan.kept.height, plan.stride, plan.divisor};
-  block.marched = {at.x, at.y, plan.margin_px.x, plan.margin_px.y};
+  block.kept = {plan.kept.width, plan.kept.height, plan.stride, 0};
   block.before_right = xyz_w(axes.right, half_height_of(then.vertical_fov_deg));
   block.before_up = xyz_w(axes.up, then.aspect);
   block.before_forward = xyz_w(axes.forward, known);
   block.moved = xyz_w(now.pose.position_m - then.pose.position_m, half_height_of(now.vertical_fov_deg));
-  block.drift = xyz_w(glm::dvec3(drift, 0), 1e7);
+  block.drift = xyz_w(glm::dvec3(drift, 0), 0);
   const bool resting = now.time_s == then.time_s;
+  block.marched = {at.x, at.y, resting && now.pose == then.pose ? 0 : 1, 0};
   block.trust = {resting ? resting_samples : moving_samples, moving_samples, resting ? resting_margin : moving_margin,
                  moving_margin};
   if (new_light) block.trust = {new_light_samples, new_light_samples, new_light_margin, new_light_margin};

@@ -19,6 +19,7 @@ struct ResolvePlan {
   glm::dvec2 margin_px{0};  // of the kept picture to the left of and above the shown one
 };
 ResolvePlan resolve_plan(const FrameRequest& request);
+std::optional<Enlargement> enlargement_of(const ResolvePlan& plan);  // of the kept picture
 
 // Which pixel of each block is marched in a frame: each once in stride * stride frames, and at any time those of the
 // last frames lie evenly in the block (Bayer 1973's order of a dither matrix).
@@ -26,9 +27,9 @@ glm::ivec2 marched_pixel(int stride, std::uint64_t frame);
 
 // The frame that marches one pixel of each block: its pixels are the blocks.
 FrameRequest marched_request(const FrameRequest& asked, const ResolvePlan& plan);
-// Offset of its rays, in its pixels, from the middles of the blocks; each pixel's move about within it, so that its
-// average has smooth edges.
-glm::dvec2 marched_offset(const ResolvePlan& plan, std::uint64_t frame);
+// Offset of its rays, in its pixels, from the middles of the blocks. While the view rests each pixel's move about
+// within it, so that its average has smooth edges; what moves shows each of them for too short a time.
+glm::dvec2 marched_offset(const ResolvePlan& plan, std::uint64_t frame, bool resting);
 // Index of the frame's sample in the averages, which places what is random along a ray: even over the frames of a
 // pixel, and different in the pixels of a block.
 int marched_sample(const ResolvePlan& plan, std::uint64_t frame);

@@ -6,17 +6,22 @@ using gpu::Binding, gpu::Format, gpu::ScreenPass, gpu::Texture;
 
 namespace {
 
-Texture picture_texture(ImageSize size, const char* label) {
-  Texture texture(Format::rgba16f, size.width, size.height, label);
+// llvmpipe cuts what 16 bits do not hold off instead of rounding it, so that a picture which is continued for long goes
+// dark; and 32 cost it nothing.
+Format kept_format(const gpu::Context& context) {
+  return context.device().software ? Format::rgba32f : Format::rgba16f;
+}
+
+Texture picture_texture(Format format, ImageSize size, const char* label) {
+  Texture texture(format, size.width, size.height, label);
   texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
   return texture;
 }
 
 // Makes it anew where its size is another.
-void fit(Texture& texture, ImageSize size, const char* label) {
-  if (texture && texture.width() == size.width && texture.height() == size.height) return;
-  texture = Texture(Format::rgba8, size.width, size.height, label);
-  texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
+void fit(Texture& display, ImageSize size) {
+  if (display && display.width() == size.width && display.height() == size.height) return;
+  display = Texture(Format::rgba8, size.width, size.height, "developed picture");
 }
 
 gpu::Rect whole(ImageSize size) { return {0, 0, size.width, size.height}; }
@@ -26,25 +31,25 @@ gpu::Rect whole(ImageSize size) { return {0, 0, size.width, size.height}; }
 Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
     : context_(context),
       shaders_(shaders),
-      range_(context, shaders, "render/resolve_range.glsl", {Format::rgba16f, Format::rgba16f}),
-      resolve_(context, shaders, "render/resolve.glsl", {Format::rgba16f}),
-      enlarge_(context, shaders, "render/enlarge.glsl", {Format::rgba8}),
+      even_(context, shaders, "render/resolve_even.glsl", {kept_format(context)}),
+      resolve_(context, shaders, "render/resolve.glsl", {kept_format(context)}),
       block_("resolve") {}
 
 ResolvedFrame Resolver::begin(const FrameRequest& asked) const {
   const auto found = pictures_.find(asked.stream);
-  return {asked, resolve_plan(asked), found == pictures_.end() ? 0 : found->second.frames};
+  if (found == pictures_.end()) return {asked, resolve_plan(asked)};
+  const KeptView& before = found->second.view;
+  const bool resting = before.pose == asked.pose && before.time_s == asked.time_s;
+  return {asked, resolve_plan(asked), found->second.frames, resting};
 }
 
 Resolver::Shared& Resolver::shared_of(ImageSize kept, ImageSize marched) {
   constexpr std::size_t most_sizes = 4;  // tuned: sizes that alternate without being made anew each time
   if (shared_.size() > most_sizes) shared_.clear();
   Shared& shared = shared_[{kept.width, kept.height}];
-  if (!shared.spare) shared.spare = picture_texture(kept, "spare picture");
-  if (!shared.least || shared.least.width() != marched.width || shared.least.height() != marched.height) {
-    shared.least = picture_texture(marched, "least radiance");
-    shared.greatest = picture_texture(marched, "greatest radiance");
-  }
+  if (!shared.spare) shared.spare = picture_texture(kept_format(context_), kept, "spare picture");
+  if (!shared.even || shared.even.width() != marched.width || shared.even.height() != marched.height)
+    shared.even = picture_texture(kept_format(context_), marched, "evened radiance");
   return shared;
 }
 
@@ -54,17 +59,13 @@ void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, 
   Picture& picture = pictures_[frame.asked.stream];
   const KeptView now = kept_view(frame.asked, plan);
   const bool before = static_cast<bool>(picture.radiance);
-  picture.block = resolve_block(plan, frame.frame, now, before ? std::optional(picture.view) : std::nullopt);
-  block_.upload(picture.block);
+  block_.upload(resolve_block(plan, frame.frame, now, before ? std::optional(picture.view) : std::nullopt));
   block_.bind();
-  const Texture* range[] = {&shared.least, &shared.greatest};
+  const Texture* even[] = {&shared.even};
   const Binding seen[] = {{0, &marched.radiance}, {1, &marched.depth}};
-  range_.run(whole(plan.marched), range, seen);
-  clock.lap("range");
-  const Binding textures[] = {{0, &marched.radiance},
-                              {1, &shared.least},
-                              {2, &shared.greatest},
-                              {3, before ? &picture.radiance : &marched.radiance}};
+  even_.run(whole(plan.marched), even, seen);
+  clock.lap("even");
+  const Binding textures[] = {{0, &shared.even}, {1, before ? &picture.radiance : &shared.even}};
   const Texture* output[] = {&shared.spare};
   resolve_.run(whole(plan.kept), output, textures);
   clock.lap("resolve");
@@ -87,21 +88,12 @@ const Texture* Resolver::glow(const ResolvedFrame& frame, const Bloom& bloom, co
 const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom, PassClock& clock) {
   const Picture& picture = pictures_.at(frame.asked.stream);
   const ResolvePlan& plan = frame.plan;
-  fit(display_, plan.shown, "shown picture");
+  fit(developed_, plan.kept);
   const Texture* glows = glow(frame, bloom, picture.radiance);
   if (glows) clock.lap("bloom");
-  block_.upload(picture.block);  // other streams' frames may have come in between
-  block_.bind();
-  const bool same_size = plan.kept == plan.shown;
-  if (!same_size) fit(developed_, plan.kept, "developed picture");
-  develop(picture.radiance, glows, frame.asked.display.tone_curve, same_size ? display_ : developed_);
+  develop(picture.radiance, glows, frame.asked.display.tone_curve);
   clock.lap("develop");
-  if (same_size) return display_;
-  const Texture* output[] = {&display_};
-  const Binding developed[] = {{0, &developed_}};
-  enlarge_.run(whole(plan.shown), output, developed);
-  clock.lap("enlarge");
-  return display_;
+  return developed_;
 }
 
 ScreenPass& Resolver::developing(ToneCurve curve, bool glows) {
@@ -113,11 +105,11 @@ ScreenPass& Resolver::developing(ToneCurve curve, bool glows) {
   return develop_.emplace(std::pair{curve, glows}, std::move(pass)).first->second;
 }
 
-void Resolver::develop(const Texture& radiance, const Texture* glow, ToneCurve curve, const Texture& target) {
-  const Texture* output[] = {&target};
+void Resolver::develop(const Texture& radiance, const Texture* glow, ToneCurve curve) {
+  const Texture* output[] = {&developed_};
   const Binding plain[] = {{0, &radiance}}, glowing[] = {{0, &radiance}, {1, glow}};
-  const ScreenPass& pass = developing(curve, glow != nullptr);
-  pass.run({0, 0, target.width(), target.height()}, output, glow ? std::span<const Binding>(glowing) : plain);
+  developing(curve, glow != nullptr)
+      .run(whole({developed_.width(), developed_.height()}), output, glow ? std::span<const Binding>(glowing) : plain);
 }
 
 void Resolver::outdate(const FrameRequest& shown) {
@@ -143,7 +135,7 @@ std::size_t Resolver::bytes() const {
 }
 
 void Resolver::reload(gpu::ShaderLibrary& shaders) {
-  for (ScreenPass* pass : {&range_, &resolve_, &enlarge_}) pass->reload(shaders);
+  for (ScreenPass* pass : {&even_, &resolve_}) pass->reload(shaders);
   for (auto& [variant, pass] : develop_) pass.reload(shaders);
 }
 

@@ -17,6 +17,7 @@ struct ResolvedFrame {
   FrameRequest asked;
   ResolvePlan plan;
   std::uint64_t frame = 0;  // of the stream's moving picture
+  bool resting = false;     // shows what the frame before showed
 };
 
 class Resolver {
@@ -26,7 +27,8 @@ class Resolver {
   // Continues the stream's picture with what was marched into `marched` (radiance and distance of what is seen). The
   // frame block of the marched request must be bound.
   void resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock);
-  // The stream's picture as it is displayed; until the next one is. The frame block must be bound.
+  // The stream's picture in display values, as small as it is kept; until the next one is. The frame block must be
+  // bound.
   const gpu::Texture& present(const ResolvedFrame& frame, const Bloom& bloom, PassClock& clock);
   // Drops the stream's picture if it is not of this view: another frame, which did not continue it, has shown that.
   void outdate(const FrameRequest& shown);
@@ -41,25 +43,24 @@ class Resolver {
     gpu::Texture radiance;
     KeptView view;
     std::uint64_t frames = 0;
-    ResolveBlock block;  // of its last frame
   };
   struct Shared {  // by the streams of a size: nothing in it outlives a frame
-    gpu::Texture least, greatest, spare;
+    gpu::Texture even, spare;
     std::unique_ptr<BloomChain> bloom;
   };
   Shared& shared_of(ImageSize kept, ImageSize marched);
-  void develop(const gpu::Texture& radiance, const gpu::Texture* glow, ToneCurve curve, const gpu::Texture& target);
+  void develop(const gpu::Texture& radiance, const gpu::Texture* glow, ToneCurve curve);
   gpu::ScreenPass& developing(ToneCurve curve, bool glows);
   const gpu::Texture* glow(const ResolvedFrame& frame, const Bloom& bloom, const gpu::Texture& radiance);
 
   const gpu::Context& context_;
   gpu::ShaderLibrary& shaders_;
   std::map<std::pair<ToneCurve, bool>, gpu::ScreenPass> develop_;  // without and with a glow; once they are wanted
-  gpu::ScreenPass range_, resolve_, enlarge_;
+  gpu::ScreenPass even_, resolve_;
   gpu::UniformBlock<ResolveBlock> block_;
   std::map<StreamId, Picture> pictures_;
   std::map<std::pair<int, int>, Shared> shared_;
-  gpu::Texture developed_, display_;
+  gpu::Texture developed_;
 };
 
 }  // namespace cloudscape::render

@@ -17,11 +17,26 @@ Texture march_target(Format format, int width, int height, const char* label) {
   return texture;
 }
 
-std::unique_ptr<Targets> make_targets(ImageSize size, int divisor, bool float32, bool smooth) {
+constexpr int tile_px = 64;  // llvmpipe's TILE_SIZE
+
+// Where pixels begin of which the first and the last tile have as many.
+int tile_origin(int length) {
+  const int whole_tiles = std::max(0, divided(length - 2 * tile_px, tile_px));
+  return (tile_px - (length - whole_tiles * tile_px) / 2) % tile_px;
+}
+
+glm::ivec2 march_origin(ImageSize size, RayPlaces places) {
+  return places == RayPlaces::first ? glm::ivec2(0) : glm::ivec2(tile_origin(size.width), tile_origin(size.height));
+}
+
+std::unique_ptr<Targets> make_targets(ImageSize size, int divisor, bool float32, bool smooth, RayPlaces places) {
   const Format hdr = float32 ? Format::rgba32f : Format::rgba16f;
-  const int width = divided(size.width, divisor), height = divided(size.height, divisor);
+  const ImageSize march{divided(size.width, divisor), divided(size.height, divisor)};
+  const glm::ivec2 origin = march_origin(march, places);
+  const int width = origin.x + march.width, height = origin.y + march.height;
   auto targets = std::make_unique<Targets>();
-  targets->size = size, targets->march_divisor = divisor, targets->float32 = float32, targets->smooth = smooth;
+  targets->size = size, targets->march_size = march, targets->march_origin = origin;
+  targets->march_divisor = divisor, targets->float32 = float32, targets->smooth = smooth;
   targets->scene_radiance = Texture(hdr, size.width, size.height, "scene radiance");
   targets->scene_depth = Texture(Format::r32f, size.width, size.height, "scene depth");
   targets->march_radiance = march_target(hdr, width, height, "march radiance");
@@ -52,14 +67,15 @@ void prepare_bloom(Targets& targets, const FrameRequest& request) {
     targets.bloom = std::make_unique<BloomChain>(targets.size, radius, wraps);
 }
 
-std::unique_ptr<Targets> TargetPool::acquire(ImageSize size, const RenderQuality& quality) {
+std::unique_ptr<Targets> TargetPool::acquire(ImageSize size, const RenderQuality& quality, RayPlaces places) {
   const bool smooth = quality.smooth && !quality.float32;
   const auto fits = [&](const std::unique_ptr<Targets>& targets) {
-    return targets->size == size && targets->march_divisor == quality.march_divisor &&
-           targets->float32 == quality.float32 && targets->smooth == smooth;
+    return targets->size == size && targets->march_origin == march_origin(targets->march_size, places) &&
+           targets->march_divisor == quality.march_divisor && targets->float32 == quality.float32 &&
+           targets->smooth == smooth;
   };
   const auto found = std::find_if(free_.begin(), free_.end(), fits);
-  if (found == free_.end()) return make_targets(size, quality.march_divisor, quality.float32, smooth);
+  if (found == free_.end()) return make_targets(size, quality.march_divisor, quality.float32, smooth, places);
   auto targets = std::move(*found);
   free_.erase(found);
   return targets;

@@ -17,8 +17,13 @@ struct Accumulation {
 };
 Accumulation make_accumulation(ImageSize size);
 
+// Where the rays lie in the march's targets. llvmpipe works tile by tile, each on one core: `over_tiles` lays a small
+// picture's rays over four tiles or more, evenly. Only for pictures that are marched whole and averaged with nothing.
+enum class RayPlaces { first, over_tiles };
+
 struct Targets {
-  ImageSize size;
+  ImageSize size, march_size;
+  glm::ivec2 march_origin{0};  // of the first ray in the march's targets
   int march_divisor = 1;
   bool float32 = false;
   bool smooth = false;
@@ -35,7 +40,7 @@ void prepare_bloom(Targets& targets, const FrameRequest& request);
 
 class TargetPool {
  public:
-  std::unique_ptr<Targets> acquire(ImageSize size, const RenderQuality& quality);
+  std::unique_ptr<Targets> acquire(ImageSize size, const RenderQuality& quality, RayPlaces places = RayPlaces::first);
   void release(std::unique_ptr<Targets> targets);
   std::size_t size() const { return free_.size(); }
 

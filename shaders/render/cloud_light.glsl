@@ -37,21 +37,26 @@ float near_optical_depth(vec3 p, Stretch path, Land land, float jitter) {
       sum_m += analytic_density(p + sun * light_distance_m(path.begin, end_m, i, jitter)) * (2.0 * i + 1.0);
   } else {
     // tuned: the two nearest samples see the detail that shades the surface, the others do not.
-    float near = min(steps, 2.0);
-    for (float i = 0.0; i < near; ++i) {
+    float near = min(steps, 2.0), i = 0.0;
+    do {
       vec3 at = p + sun * light_distance_m(path.begin, end_m, i, jitter);
       float value = shape_above_threshold(at, land);
       sum_m += density_of(value, erosion_at(at, height_in_layer(at), false), cloud.erosion.z) * (2.0 * i + 1.0);
-    }
-    for (float i = near; i < steps; ++i) {
+      ++i;
+    } while (i < near);
+    do {
       float value = shape_above_threshold(p + sun * light_distance_m(path.begin, end_m, i, jitter), land);
-      sum_m += density_of(value, mean_erosion, cloud.erosion.y) * (2.0 * i + 1.0);
-    }
+      sum_m += i < steps ? density_of(value, mean_erosion, cloud.erosion.y) * (2.0 * i + 1.0) : 0.0;
+      ++i;
+    } while (i < steps);
   }
   return sum_m * (end_m - path.begin) * cloud.medium.x / (steps * steps);
 }
 
-bool light_from_grid() { return int(cloud.phase.w) == light_in_scatter_volume; }
+#ifndef LIGHT_KIND
+#define LIGHT_KIND int(cloud.phase.w)
+#endif
+bool light_from_grid() { return LIGHT_KIND == light_in_scatter_volume; }
 
 // All of it: a volume knows what stands farther away.
 float sun_optical_depth(vec3 p, Land land, float jitter) {
@@ -60,8 +65,7 @@ float sun_optical_depth(vec3 p, Land land, float jitter) {
   float depth = near_optical_depth(p, path, land, jitter);
   float far_m = max(cloud.march.x, path.begin);
   if (light_from_grid() && path.end > far_m) depth += far_optical_depth(in_scatter_place(p + far_m * sun, land));
-  int far = has_sun_depth() && !light_from_grid() && path.end > far_m ? 1 : 0;
-  for (int i = 0; i < far; ++i) depth += sun_depth_in_layer(p + far_m * sun, land);
+  if (has_sun_depth() && !light_from_grid() && path.end > far_m) depth += sun_depth_in_layer(p + far_m * sun, land);
   return depth;
 }
 
@@ -74,7 +78,7 @@ struct RayLight {
 };
 
 float octave_phase(float cos_theta, float broadening) {
-  return phase_of_kind(int(cloud.medium.w), cos_theta, cloud.phase.x, cloud.phase.y, cloud.phase.z, broadening);
+  return phase_of_kind(PHASE_KIND, cos_theta, cloud.phase.x, cloud.phase.y, cloud.phase.z, broadening);
 }
 vec4 octave_phases(float cos_theta, vec4 broadening) {
   return vec4(octave_phase(cos_theta, broadening.x), octave_phase(cos_theta, broadening.y),
@@ -92,7 +96,7 @@ float ambient_weight(float solid_angle, float cosine, float g) { return solid_an
 RayLight ray_light(vec3 direction) {
   RayLight light;
   float cos_theta = dot(direction, frame.light_direction.xyz);
-  bool table = int(cloud.medium.w) == phase_mie;
+  bool table = PHASE_KIND == phase_mie;
   light.phase = table ? mie_phase(direction, frame.light_direction.xyz) : vec3(octave_phase(cos_theta, 1.0));
   // Light that was scattered some times, and goes on by a broader function. tuned: of g = 0.85 between that of two times
   // (0.85 of it) and of three (0.72).
@@ -120,7 +124,7 @@ vec3 sun_at(vec3 p, float h) {
 
 // Sunlight scattered towards the camera per unit of irradiance, 1/sr.
 vec3 sun_scatter(RayLight light, float optical_depth) {
-  int kind = int(cloud.phase.w);
+  int kind = LIGHT_KIND;
   if (kind == light_single) return light.phase * exp(-optical_depth);
   if (kind == light_olajos) {
     return light.phase * exp(-optical_depth) +
@@ -168,7 +172,7 @@ vec3 source_radiance(RayLight light, vec3 p, vec3 direction, Land land, float ji
   // tuned: without lighting all of the cloud is as bright as a white diffuse surface that the sun strikes at 60 degrees.
   vec3 scatter = vec3(0.5 / pi);
   if (lighting()) scatter = sun_scatter(light, optical_depth);
-  if (int(cloud.phase.w) == light_olajos)
+  if (LIGHT_KIND == light_olajos)
     return cloud.medium.y * sun * (cloud.olajos_dark.xyz / pi + cloud.olajos_bright.xyz * scatter);
   return cloud.medium.y * (sun * scatter + ambient(light, h));
 }

@@ -25,8 +25,8 @@ PassOutput shade(ivec2 pixel) {
   vec4 march;
   vec2 far;
   if (MARCH_DIVISOR == 1) {
-    march = texelFetch(march_radiance, pixel, 0);
-    far = texelFetch(march_depth, pixel, 0).xy;
+    march = texelFetch(march_radiance, pixel + frame.march_target.xy, 0);
+    far = texelFetch(march_depth, pixel + frame.march_target.xy, 0).xy;
   } else {
     vec2 uv = (vec2(pixel) + 0.5) / (float(frame.size.w) * vec2(textureSize(march_radiance, 0)));
     march = texture(march_radiance, uv);

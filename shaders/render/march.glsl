@@ -70,27 +70,35 @@ March march_layer(CameraRay ray, RayLight light, Stretch path, vec2 jitter, floa
   path.gap_end += jitter.x * small_step_m(path.gap_end);
   Walk walk = begin_walk(begin);
   float lit = 0.0;
-  while (walk.steps < cloud.steps.z && walk.t < path.end && march.transmittance >= stop_transmittance) {
+  bool going = is_under_way(walk, path);
+  do {
     // The loops stand one in the other so that each sample costs no more than it must: look for shape noise, then erode it, and
     // light only what is left.
     float step_m = 0.0, density = 0.0;
     vec3 p = ray.origin;
-    while (density <= 0.0) {
-      walk = walk_to_cloud(ray, path, jitter.x, walk);
-      if (walk.value <= 0.0) break;
-      step_m = small_step_m(walk.t);
-      p = ray.origin + ray.direction * walk.t;
-      density = density_of(walk.value, visible_erosion(p, step_m), step_m);
-      walk.t = beyond_gap(walk.t + step_m, path);
-      ++walk.steps;
+    bool looking = going;
+    do {
+      if (looking) walk = walk_to_cloud(ray, path, jitter.x, walk);
+      looking = looking && walk.value > 0.0;
+      if (looking) {
+        step_m = small_step_m(walk.t);
+        p = ray.origin + ray.direction * walk.t;
+        density = density_of(walk.value, visible_erosion(p, step_m), step_m);
+        walk.t = beyond_gap(walk.t + step_m, path);
+        ++walk.steps;
+        looking = density <= 0.0 && is_under_way(walk, path);
+      }
+    } while (looking);
+    going = going && density > 0.0;
+    if (going) {
+      // The light's samples differ from one lit step to the next, and not with the distance: that would show as contours.
+      float distance_m = dot(p - ray.origin, ray.direction);
+      Sample at = Sample(p, walk.land, distance_m, density, fract(jitter.y + golden_ratio * lit));
+      ++lit;
+      march = advance(march, light, ray.direction, at, min(step_m, 2.0 * (path.end - distance_m)));
+      going = march.transmittance >= stop_transmittance && is_under_way(walk, path);
     }
-    if (density <= 0.0) break;
-    // The light's samples differ from one lit step to the next, and not with the distance: that would show as contours.
-    float distance_m = dot(p - ray.origin, ray.direction);
-    Sample at = Sample(p, walk.land, distance_m, density, fract(jitter.y + golden_ratio * lit));
-    ++lit;
-    march = advance(march, light, ray.direction, at, min(step_m, 2.0 * (path.end - distance_m)));
-  }
+  } while (going);
   return march;
 }
 
@@ -104,20 +112,18 @@ March march_ray(CameraRay ray, Stretch path, vec2 jitter, float stop_transmittan
 
 // Share of the sunlight that reaches what lies there.
 float ground_visibility(vec3 p) {
-  bool shaded = frame.light_direction.z > 0.02 && has_sun_depth();
-  float visibility = 1.0;
-  for (int i = 0; i < (shaded ? 1 : 0); ++i) visibility = slab_transmittance(sun_depth_at(p));
-  return visibility;
+  return frame.light_direction.z > 0.02 && has_sun_depth() ? slab_transmittance(sun_depth_at(p)) : 1.0;
 }
 
-PassOutput shade(ivec2 march_pixel) {
+PassOutput shade(ivec2 target_pixel) {
+  ivec2 march_pixel = target_pixel - frame.march_target.xy;
   int divisor = frame.size.w;
   vec2 pixel = (vec2(march_pixel) + 0.5) * float(divisor);
   CameraRay ray = camera_ray(pixel);
   float depth_m = texelFetch(scene_depth, min(ivec2(pixel), frame.size.xy - 1), 0).x;
   bool ground = depth_m < no_hit_m && depth_m > 0.0;
   float visibility = 1.0;
-  for (int i = 0; i < (ground ? 1 : 0); ++i) visibility = ground_visibility(ray.origin + ray.direction * depth_m);
+  if (ground) visibility = ground_visibility(ray.origin + ray.direction * depth_m);
   Stretch path = medium_stretch(ray.origin, ray.direction);
   path.end = min(min(path.end, depth_m), cloud.march.y);
   bool marched = ray.valid > 0.0 && path.end > path.begin && cloud.medium.x > 0.0;
@@ -125,7 +131,7 @@ PassOutput shade(ivec2 march_pixel) {
   float stop = dot(ray.direction, frame.light_direction.xyz) > 0.9995 ? 1.0e-6 : 0.003;
   vec2 jitter = vec2(step_jitter(march_pixel), light_jitter(march_pixel));
   March march = March(vec3(0.0), 1.0, 0.0, 0.0);
-  for (int i = 0; i < (marched ? 1 : 0); ++i) march = march_ray(ray, path, jitter, stop);
+  if (marched) march = march_ray(ray, path, jitter, stop);
   float distance_m = march.weight > 0.0 ? march.weighted_distance_m / march.weight : no_hit_m;
   Air air = air_to(ray.direction, distance_m);
   AirShadow shadow = air_shadow(ray, depth_m, distance_m, jitter.y);

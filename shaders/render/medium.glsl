@@ -13,7 +13,10 @@ const int volume_box = 2;
 const int volume_slab = 3;
 const int volume_gaussian = 4;
 const int volume_grid = 5;  // voxels from a file: both of core's kinds
-int volume_kind() { return int(cloud.layer.w); }
+#ifndef VOLUME_KIND
+#define VOLUME_KIND int(cloud.layer.w)
+#endif
+int volume_kind() { return VOLUME_KIND; }
 
 // Whether density comes from the shape texture and not from a formula.
 bool is_textured() { return volume_kind() == volume_noise || volume_kind() == volume_grid; }
@@ -52,6 +55,9 @@ struct Land {
 };
 
 Land land_at(vec3 p) {
+#ifdef EVEN_COVERAGE
+  return Land(cloud.shape.x, vec2(0.0));
+#endif
   vec2 at = upright(p).xy;
   if (cloud.shape.z <= 0.0) return Land(cloud.shape.x, vec2(0.0));
   vec3 slow = textureLod(variation_texture, at * cloud.variation.x + cloud.variation.yz, 0.0).xyz;

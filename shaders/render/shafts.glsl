@@ -59,7 +59,8 @@ ShaftSums shaft_sums(CameraRay ray, vec2 stretch, float cloud_m, float hidden_pe
   ShaftSums sums = ShaftSums(vec4(0.0), vec4(0.0));
   float beam_share = 1.0 - forwardness() * forwardness();
   float begin_m = stretch.x;
-  for (float i = 0.0; i < samples; ++i) {
+  float i = 0.0;
+  do {
     float next_m = mix(stretch.x, stretch.y, (i + 1.0) * (i + 1.0) / (samples * samples));
     float at_m = mix(begin_m, next_m, fract(jitter + golden_ratio * i));  // each by another share: their errors do not add up
     float weight = (next_m - begin_m) * air_weight(ray, at_m, hidden_per_m);
@@ -70,7 +71,7 @@ ShaftSums shaft_sums(CameraRay ray, vec2 stretch, float cloud_m, float hidden_pe
     sums.behind += missing;
     sums.before += missing * clamp((cloud_m - begin_m) / (next_m - begin_m), 0.0, 1.0);
     begin_m = next_m;
-  }
+  } while (++i < samples);
   return sums;
 }
 
@@ -85,7 +86,7 @@ AirShadow air_shadow(CameraRay ray, float end_m, float cloud_m, float jitter) {
   AirShadow shadow = AirShadow(vec3(0.0), vec3(0.0));
   vec2 stretch = shaded_stretch(ray, end_m);
   bool shaded = has_sun_depth() && sky_kind() == sky_clear && frame.light_direction.z > 0.02 && stretch.y > stretch.x;
-  for (int i = 0; i < (shaded ? 1 : 0); ++i) {
+  if (shaded) {
     float air_m = aerial_begin_m(camera_altitude_m(), ray.direction);
     vec2 uv = aerial_uv(ray.direction);
     AirSource first = air_source(uv, stretch.x - air_m), last = air_source(uv, stretch.y - air_m);

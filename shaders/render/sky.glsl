@@ -9,7 +9,10 @@ layout(binding = 14) uniform sampler3D aerial_table;
 const int sky_none = 0;
 const int sky_uniform = 1;
 const int sky_clear = 2;
-int sky_kind() { return int(frame.sky.w); }
+#ifndef SKY_KIND
+#define SKY_KIND int(frame.sky.w)
+#endif
+int sky_kind() { return SKY_KIND; }
 float camera_altitude_m() { return frame.camera_forward.w; }
 
 // Entries of the light table (render/sky_light.glsl).

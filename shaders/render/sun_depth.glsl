@@ -5,6 +5,9 @@
 #include "render/phase_table.glsl"
 #include "render/sun_path.glsl"
 #include "shared/frame_block.glsl"
+#ifndef PHASE_KIND
+#define PHASE_KIND int(cloud.medium.w)
+#endif
 layout(binding = 13) uniform sampler3D sun_depth_volume;
 
 // Whether there are clouds that the volume is of.
@@ -20,11 +23,12 @@ float sun_depth_in_layer(vec3 p, Land land) {
   vec2 level = light_level(land);
   int count = levels > 1.0 ? 2 : 1;  // a loop, which software goes through as often as it must
   float depth_m = 0.0;
-  for (int i = 0; i < count; ++i) {
+  int i = 0;
+  do {
     float row = (level.x + float(i)) * layers + 0.5 + up * (layers - 1.0);
     float share = i == 0 ? 1.0 - level.y : level.y;
     depth_m += share * textureLod(sun_depth_volume, vec3(across, row / (layers * levels)), 0.0).x;
-  }
+  } while (++i < count);
   return depth_m * cloud.medium.x;
 }
 
@@ -41,7 +45,7 @@ float sun_depth_at(vec3 p) {
 }
 
 // Whether cloud.phase.x is a mean cosine.
-bool phase_has_asymmetry() { return cloud.medium.w <= 1.0 || int(cloud.medium.w) == phase_mie; }
+bool phase_has_asymmetry() { return PHASE_KIND <= 1 || PHASE_KIND == phase_mie; }
 
 // The clouds' mean cosine, where they scatter forwards.
 float forwardness() {

@@ -3,12 +3,7 @@
 #define RENDER_WALK
 #include "render/camera.glsl"
 #include "render/medium.glsl"
-
-// Length of the small step at a distance from the camera: what the quality asks for, and what the adaptive step adds (Olajos 2.4.2).
-float small_step_m(float distance_m) {
-  float step_m = max(cloud.steps.x, cloud.steps.y * distance_m) + cloud.adaptive.y * max(0.0, distance_m - cloud.adaptive.x);
-  return min(step_m, cloud.volume.x);
-}
+#include "render/small_step.glsl"
 
 float beyond_gap(float t, Stretch path) { return t > path.gap_begin && t < path.gap_end ? path.gap_end : t; }
 
@@ -20,6 +15,10 @@ struct Walk {
   Land land;      // there
   float outside;  // the last point outside the thesis' structure, m; < 0: none since the small steps began
 };
+
+// Software computes the body of a loop once more after its last round where the condition stands before it, and not where it stands
+// behind: all of these loops, which are most of what a frame costs, end in their condition.
+bool is_under_way(Walk walk, Stretch path) { return walk.steps < cloud.steps.z && walk.t < path.end; }
 
 Walk begin_walk(float t) { return Walk(t, 0.0, 0.0, Land(0.0, vec2(0.0)), -1.0); }
 #endif

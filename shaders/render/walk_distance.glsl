@@ -29,20 +29,27 @@ Walk walk_to_cloud(CameraRay ray, Stretch path, float jitter, Walk walk) {
   float growth = 1.0 + cloud.steps.y + cloud.adaptive.y;
   float cell_m = shortest_cell_m();
   walk.value = 0.0;
-  for (; walk.steps < cloud.steps.z && walk.t < path.end; ++walk.steps) {
+  bool looking = is_under_way(walk, path);
+  do {
     vec3 p = ray.origin + ray.direction * walk.t;
     float small_m = small_step_m(walk.t);
-    walk.land = land_at(p);
-    vec2 nearness_m = nearness_of(p, walk.land);
+    Land land = land_at(p);
+    vec2 nearness_m = nearness_of(p, land);
     float free_m = nearness_m.x;
+    float value = 0.0;
     if (free_m < small_m) {
-      walk.value = shape_above_threshold(p, walk.land);
-      if (walk.value > 0.0) break;
-      free_m = walk.value > outside_volume ? min(-walk.value * nearness_m.y, cell_m) : 0.0;
+      value = shape_above_threshold(p, land);
+      free_m = value > outside_volume ? min(-value * nearness_m.y, cell_m) : 0.0;
     }
-    float next = walk.t + max(floor(free_m / (small_m * growth)), 1.0) * small_m;
-    walk.t = beyond_gap(next + jitter * (small_step_m(next) - small_m) * float(free_m > small_m * growth), path);
-  }
+    if (looking) walk.land = land, walk.value = max(value, 0.0);
+    looking = looking && value <= 0.0;
+    if (looking) {
+      float next = walk.t + max(floor(free_m / (small_m * growth)), 1.0) * small_m;
+      walk.t = beyond_gap(next + jitter * (small_step_m(next) - small_m) * float(free_m > small_m * growth), path);
+      ++walk.steps;
+      looking = is_under_way(walk, path);
+    }
+  } while (looking);
   return walk;
 }
 #endif

@@ -3,12 +3,11 @@
 #define SHARED_RESOLVE_BLOCK
 #include "shared/block.glsl"
 
-/* kept: width, height of the kept picture, stride of its marched pixels, width and height of the shown picture over it.
-   marched: x, y of the marched pixel in its block; first column and row of the kept picture that is shown (in kept pixels).
+/* kept: width, height of the kept picture, stride of its marched pixels, 0.
+   marched: x, y of the marched pixel in its block, whether the picture moves, 0.
    before_right, before_up, before_forward: axes of the camera before; before_right.w: tangent of half the height of its kept picture;
    before_up.w: width of that over its height; before_forward.w: whether there is a picture before.
-   moved: from that camera to this one, m; moved.w: tangent of half the height of this kept picture. drift: of the clouds since, m;
-   drift.w: far from here on there are no clouds, m.
+   moved: from that camera to this one, m; moved.w: tangent of half the height of this kept picture. drift: of the clouds since, m.
    trust: samples that a pixel's average holds at most, resting and moving; by how much of its range the neighbourhood is widened,
    resting and moving. */
 #define RESOLVE_FIELDS(F) \

@@ -145,6 +145,18 @@ TEST_F(Repeat, ThePoolKeepsFewTargets) {
   EXPECT_EQ(pool.size(), 3U) << "the last one released is used again";
 }
 
+// Forty columns of 80 on each side of a tile's edge; of a picture of many tiles the first and the last are equal.
+TEST_F(Repeat, RaysLieEvenlyOverTiles) {
+  TargetPool pool;
+  const auto small = pool.acquire({80, 45}, {}, RayPlaces::over_tiles),
+             large = pool.acquire({300, 128}, {}, RayPlaces::over_tiles);
+  EXPECT_EQ(small->march_origin, glm::ivec2(24, 42));
+  EXPECT_EQ(large->march_origin, glm::ivec2(10, 0));
+  EXPECT_EQ(small->march_size, (ImageSize{80, 45}));
+  EXPECT_EQ(small->march_radiance.width(), 104);
+  EXPECT_EQ(pool.acquire({80, 45}, {})->march_origin, glm::ivec2(0));
+}
+
 using Executions = OwnStackTest;
 
 // Compute dispatches against full-screen triangles, one after the other in one process.

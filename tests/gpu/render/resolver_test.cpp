@@ -46,6 +46,8 @@ double difference(const Frame& a, const Frame& b) {
 
 class Resolver : public RenderTest {
  protected:
+  // Four channels of a kept picture: 32 bits each without a GPU.
+  static std::size_t kept_pixel_bytes() { return stack().context.device().software ? 16 : 8; }
   static Frame last_of(FrameRequest request, int frames, double turn_deg = 0, double climb_m = 0) {
     Frame frame;
     for (int i = 0; i < frames; ++i) {
@@ -114,7 +116,7 @@ TEST_F(Resolver, developed_picture_is_the_tone_mapped_one_where_it_is_smooth) {
       most = std::max(most, int{exact.display_rgba[i]}), least = std::min(least, int{exact.display_rgba[i]});
     }
     EXPECT_GT(most, least + 20) << "nothing to see";
-    EXPECT_LE(farthest, 1) << static_cast<int>(curve);
+    EXPECT_LE(farthest, 2) << static_cast<int>(curve);  // it is rounded thrice
     EXPECT_LT(sum / (0.75 * static_cast<double>(exact.display_rgba.size())), 0.25) << static_cast<int>(curve);
   }
 }
@@ -146,6 +148,18 @@ TEST_F(Resolver, climbing_picture_keeps_its_clouds_in_place) {
   FrameRequest there = request;
   there.pose.position_m.z += 11 * 3;
   EXPECT_LT(difference(last_of(request, 12, 0, 3), render(whole(there, 32))), 9);
+}
+
+// Within a cloud a frame's rays differ by where their steps begin, and what is kept has gone by before it is a picture.
+TEST_F(Resolver, fog_has_no_dots) {
+  FrameRequest request = moving(16, 2, next_stream());
+  auto fog = std::make_shared<Cloudscape>(*request.cloudscape);
+  fog->shape.coverage = 1, fog->medium.extinction_per_m = 0.08;
+  request.cloudscape = fog;
+  request.pose.position_m.z = fog->volume.origin_m.z + 0.1 * fog->volume.size_m.z;
+  FrameRequest there = request;
+  there.pose.azimuth_deg += 11 * 2.0, there.pose.position_m.z += 11 * 4.0;
+  EXPECT_LT(difference(last_of(request, 12, 2, 4), render(whole(there, 32))), 1.6);  // 2.4 if they are not evened
 }
 
 TEST_F(Resolver, equal_flights_give_equal_bytes) {
@@ -181,7 +195,7 @@ TEST_F(Resolver, picture_of_an_earlier_view_is_dropped) {
   const std::size_t both = renderer().history_bytes(request.stream);
   other.pose.azimuth_deg += 40;
   renderer().render(other);
-  EXPECT_EQ(both - renderer().history_bytes(request.stream), 192u * 108u * 8u);
+  EXPECT_EQ(both - renderer().history_bytes(request.stream), 192u * 108u * kept_pixel_bytes());
   renderer().forget(request.stream);
 }
 
@@ -190,7 +204,7 @@ TEST_F(Resolver, forgets_streams) {
   const std::size_t before = renderer().history_bytes();
   const FrameRequest request = moving(4, 2, next_stream());
   renderer().render(request);
-  EXPECT_EQ(renderer().history_bytes() - before, 96u * 54u * 8u);
+  EXPECT_EQ(renderer().history_bytes() - before, 96u * 54u * kept_pixel_bytes());
   renderer().forget(request.stream);
   EXPECT_EQ(renderer().history_bytes(), before);
 }

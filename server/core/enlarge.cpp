@@ -1,0 +1,138 @@
+#include "core/enlarge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace cloudscape {
+namespace {
+
+constexpr int channels = 4, one = 64;  // weights are 64ths: four products with bytes fit into 16 bits
+constexpr std::size_t chunk = 16;      // bytes that are worked on at once
+
+// What a pixel of the large picture is made of: four pixels of the small one.
+struct Taps {
+  int first = 0;
+  std::array<std::int16_t, 4> weights{};
+};
+
+Taps taps_at(double place_px) {
+  const double middle = std::floor(place_px), f = place_px - middle;
+  const double before = f * (-0.5 + f * (1 - 0.5 * f)), second = f * (0.5 + f * (2 - 1.5 * f)),
+               behind = f * f * (-0.5 + 0.5 * f);
+  Taps taps{static_cast<int>(middle) - 1, {}};
+  const auto weight = [](double share) { return static_cast<std::int16_t>(std::lround(one * share)); };
+  taps.weights = {weight(before), 0, weight(second), weight(behind)};
+  taps.weights[1] = static_cast<std::int16_t>(one - taps.weights[0] - taps.weights[2] - taps.weights[3]);
+  return taps;
+}
+
+// Of every `factor`-th pixel, beginning with each of the first ones.
+std::vector<Taps> phases_of(int factor, double margin_px) {
+  std::vector<Taps> phases;
+  for (int phase = 0; phase < factor; ++phase) phases.push_back(taps_at((phase + 0.5) / factor + margin_px - 0.5));
+  return phases;
+}
+
+using Bytes = std::vector<std::uint8_t>;
+std::size_t whole_chunks(std::size_t bytes) { return (bytes + chunk - 1) / chunk * chunk; }
+
+// What a vector unit works on at once (GCC's and Clang's vector types).
+using Bytes16 [[gnu::vector_size(16)]] = std::uint8_t;
+using Shorts16 [[gnu::vector_size(32)]] = std::int16_t;
+
+[[gnu::always_inline]] inline Shorts16 loaded(const std::uint8_t* bytes) {
+  Bytes16 loaded;
+  std::memcpy(&loaded, bytes, sizeof loaded);
+  return __builtin_convertvector(loaded, Shorts16);
+}
+// The weighted sum of four rows of `bytes` bytes (whole chunks) into `sum`.
+void combine(const std::array<const std::uint8_t*, 4>& rows, const std::array<std::int16_t, 4>& weights,
+             std::size_t bytes, std::uint8_t* sum) {
+  const auto [a, b, c, d] = rows;
+  const auto [weight_a, weight_b, weight_c, weight_d] = weights;
+  for (std::size_t i = 0; i < bytes; i += chunk) {
+    Shorts16 value = loaded(a + i) * weight_a + loaded(b + i) * weight_b + loaded(c + i) * weight_c +
+                     loaded(d + i) * weight_d + one / 2;
+    value >>= 6;
+    value = value < 0 ? Shorts16{} : value;
+    value = value > 255 ? Shorts16{} + 255 : value;
+    const Bytes16 stored = __builtin_convertvector(value, Bytes16);
+    std::memcpy(sum + i, &stored, sizeof stored);
+  }
+}
+
+// A row of the small picture made as wide as the large one.
+class Widener {
+ public:
+  Widener(const Enlargement& enlargement, int to_width)
+      : from_(enlargement.from_px.width),
+        to_(to_width),
+        factor_(enlargement.factor),
+        phases_(phases_of(factor_, enlargement.margin_px.x)),
+        columns_((to_ + factor_ - 1) / factor_),
+        padded_((static_cast<std::size_t>(std::max(from_, columns_)) + 2 * pad) * channels + 2 * chunk),
+        widened_(whole_chunks(static_cast<std::size_t>(columns_) * channels)) {}
+
+  void widen(const std::uint8_t* row, std::uint8_t* wide) {
+    pad_row(row);
+    for (int phase = 0; phase < factor_; ++phase) {
+      const Taps& taps = phases_[static_cast<std::size_t>(phase)];
+      const std::uint8_t* first = padded_.data() + (taps.first + pad) * channels;
+      combine({first, first + channels, first + 2 * channels, first + 3 * channels}, taps.weights, widened_.size(),
+              widened_.data());
+      for (int column = 0, x = phase; x < to_; ++column, x += factor_)
+        std::memcpy(wide + x * channels, widened_.data() + column * channels, channels);
+    }
+  }
+
+ private:
+  static constexpr int pad = 4;  // pixels on each side that repeat the edge's
+
+  void pad_row(const std::uint8_t* row) {
+    const auto pixel = [&](int x) { return padded_.data() + (x + pad) * channels; };
+    std::memcpy(pixel(0), row, static_cast<std::size_t>(from_) * channels);
+    const int end = static_cast<int>(padded_.size()) / channels - pad;
+    for (int x = -pad; x < 0; ++x) std::memcpy(pixel(x), row, channels);
+    for (int x = from_; x < end; ++x) std::memcpy(pixel(x), row + (from_ - 1) * channels, channels);
+  }
+
+  int from_, to_, factor_;
+  std::vector<Taps> phases_;
+  int columns_;
+  Bytes padded_, widened_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> enlarged(std::span<const std::uint8_t> rgba, const Enlargement& enlargement,
+                                   ImageSize to_px) {
+  const ImageSize from = enlargement.from_px;
+  const std::size_t from_bytes = static_cast<std::size_t>(from.width) * channels,
+                    to_bytes = static_cast<std::size_t>(to_px.width) * channels, row_bytes = whole_chunks(to_bytes);
+  Bytes wide(row_bytes * static_cast<std::size_t>(from.height));
+  Widener widener(enlargement, to_px.width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(from.height); ++y)
+    widener.widen(rgba.data() + y * from_bytes, wide.data() + y * row_bytes);
+  const auto row = [&](int y) {
+    return wide.data() + static_cast<std::size_t>(std::clamp(y, 0, from.height - 1)) * row_bytes;
+  };
+  const std::vector<Taps> phases = phases_of(enlargement.factor, enlargement.margin_px.y);
+  Bytes large(to_bytes * static_cast<std::size_t>(to_px.height)), sum(row_bytes);
+  for (int y = 0; y < to_px.height; ++y) {
+    const Taps& taps = phases[static_cast<std::size_t>(y % enlargement.factor)];
+    const int first = taps.first + y / enlargement.factor;
+    combine({row(first), row(first + 1), row(first + 2), row(first + 3)}, taps.weights, row_bytes, sum.data());
+    std::memcpy(large.data() + static_cast<std::size_t>(y) * to_bytes, sum.data(), to_bytes);
+  }
+  return large;
+}
+
+void enlarge(Frame& frame) {
+  if (!frame.enlargement) return;
+  frame.display_rgba = enlarged(frame.display_rgba, *frame.enlargement, frame.request.size_px);
+  frame.enlargement.reset();
+}
+
+}  // namespace cloudscape

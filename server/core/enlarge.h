@@ -1,0 +1,17 @@
+// Makes a picture that was rendered small as large as it is shown.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/frame.h"
+
+namespace cloudscape {
+
+// `rgba`: enlargement.from_px.width * from_px.height * 4 bytes, top row first; returns to_px.width * to_px.height * 4.
+// Catmull and Rom's cubic (1974), weights of 1/64: even areas stay as they are.
+std::vector<std::uint8_t> enlarged(std::span<const std::uint8_t> rgba, const Enlargement& enlargement, ImageSize to_px);
+// As large as it was asked for, where it is not yet.
+void enlarge(Frame& frame);
+
+}  // namespace cloudscape
