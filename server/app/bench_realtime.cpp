@@ -136,6 +136,11 @@ void add_flight_options(CLI::App& command, FlightPlan& plan) {
       ->capture_default_str()
       ->check(CLI::Range(0.0, 10000.0));
   command
+      .add_option("--sun-speed", plan.viewers.sun_deg_per_s,
+                  "Degrees by which the sun is turned about the zenith in a second, with each pose")
+      ->capture_default_str()
+      ->check(CLI::Range(-3600.0, 3600.0));
+  command
       .add_option("--warm-up", plan.warm_up_s,
                   "Flight before the measurement, s; up to ten times as long until ten frames of each have arrived")
       ->capture_default_str()

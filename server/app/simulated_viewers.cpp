@@ -50,11 +50,16 @@ SimulatedViewers::~SimulatedViewers() {
 }
 
 stream::StreamView SimulatedViewers::view_at(Each& each, Time now) {
-  const double flown_s = options_.speed * stream::milliseconds(now - opened_) / 1000;
+  const double open_s = stream::milliseconds(now - opened_) / 1000, flown_s = options_.speed * open_s;
   const auto key = settings::key_at(options_.path, place_on(options_.path, each.viewer.start_s, flown_s));
   stream::StreamView view = each.viewer.view;
   view.pose = key.pose;
   view.lens.vertical_fov_deg = key.vertical_fov_deg;
+  if (options_.sun_deg_per_s != 0) {
+    auto turned = std::make_shared<Cloudscape>(*view.cloudscape);
+    turned->sun.azimuth_deg = std::remainder(turned->sun.azimuth_deg + options_.sun_deg_per_s * open_s, 360);
+    view.cloudscape = std::move(turned);
+  }
   view.pose_sequence = each.sent.size();
   each.sent.push_back(now);
   return view;

@@ -19,7 +19,8 @@ struct ViewersOptions {
   settings::CameraPath path;
   double speed = 1;  // path seconds of a second; at the path's ends they turn back
   double poses_per_s = 60;
-  double latency_ms = 0;  // from the encoder until the acknowledgement; 0: at once
+  double latency_ms = 0;     // from the encoder until the acknowledgement; 0: at once
+  double sun_deg_per_s = 0;  // by which somebody turns the sun about the zenith meanwhile
 };
 
 class SimulatedViewers {

@@ -23,7 +23,7 @@ float perlin_noise(vec3 position, ivec3 period) {
   ivec3 cell = ivec3(floor(position));
   vec3 f = position - floor(position);
   ivec3 a = ivec3(cell.x % period.x, cell.y % period.y, cell.z % period.z);
-  ivec3 b = ivec3((cell.x + 1) % period.x, (cell.y + 1) % period.y, (cell.z + 1) % period.z);
+  ivec3 b = ivec3(a.x + 1 < period.x ? a.x + 1 : 0, a.y + 1 < period.y ? a.y + 1 : 0, a.z + 1 < period.z ? a.z + 1 : 0);
   float u = perlin_fade(f.x);
   float v = perlin_fade(f.y);
   float w = perlin_fade(f.z);

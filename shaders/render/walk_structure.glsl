@@ -16,24 +16,27 @@ Walk walk_to_cloud(CameraRay ray, Stretch path, float jitter, Walk walk) {
   float large_m = cloud.structure.x;
   float last = path.end - min(1.0, 0.5 * small_step_m(path.end));  // where the structure is asked for the last time
   walk.value = 0.0;
-  for (; walk.steps < cloud.steps.z && walk.t < path.end; ++walk.steps) {
+  bool looking = is_under_way(walk, path);
+  do {
     vec3 p = ray.origin + ray.direction * walk.t;
     float small_m = small_step_m(walk.t);
-    walk.land = land_at(p);
-    int place = large_m > small_m ? place_in_structure(p, walk.land) : near_cloud;
-    float next = beyond_gap(walk.t + (place == in_outer_padding ? max(cloud.structure.w, small_m) : small_m), path);
-    if (place == outside_structure) {
-      walk.outside = walk.t;
-      next = beyond_gap(walk.t < last ? min(walk.t + large_m, last) : path.end, path);
-    } else if (walk.outside >= 0.0) {
-      next = walk.outside + cloud.structure.z + jitter * (small_step_m(walk.outside) - first_m);
-      walk.outside = -1.0;
-    } else if (place == near_cloud) {
-      walk.value = shape_above_threshold(p, walk.land);
-      if (walk.value > 0.0) break;
+    Land land = land_at(p);
+    int place = large_m > small_m ? place_in_structure(p, land) : near_cloud;
+    bool steps_back = place != outside_structure && walk.outside >= 0.0;
+    float value = 0.0;
+    if (place == near_cloud && !steps_back) value = max(shape_above_threshold(p, land), 0.0);
+    if (looking) walk.land = land, walk.value = value;
+    looking = looking && value <= 0.0;
+    if (looking) {
+      float next = beyond_gap(walk.t + (place == in_outer_padding ? max(cloud.structure.w, small_m) : small_m), path);
+      if (place == outside_structure) next = beyond_gap(walk.t < last ? min(walk.t + large_m, last) : path.end, path);
+      if (steps_back) next = walk.outside + cloud.structure.z + jitter * (small_step_m(walk.outside) - first_m);
+      walk.outside = place == outside_structure ? walk.t : -1.0;
+      walk.t = next;
+      ++walk.steps;
+      looking = is_under_way(walk, path);
     }
-    walk.t = next;
-  }
+  } while (looking);
   return walk;
 }
 #endif
