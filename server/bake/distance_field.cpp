@@ -15,6 +15,8 @@ using gpu::Binding, gpu::Format, gpu::Texture;
 // tuned: more than the gap between most clouds; each of its cells is searched.
 constexpr int most_searched = 16;
 
+constexpr std::size_t most_kept = 3;  // fields of documents that differ in nothing but their coverage or the land
+
 // Thresholds lie on a grid of this fineness, so that a small change of the coverage needs no new field. tuned: what is
 // enclosed too much by it is less than what erosion takes away.
 constexpr double threshold_grain = 1.0 / 64;
@@ -62,8 +64,11 @@ DistanceFieldBuilder::DistanceFieldBuilder(gpu::ShaderLibrary& shaders, int most
 
 struct DistanceFieldBuilder::Work {
   const BakedCloudscape& baked;
-  const DistancePlan& plan;
-  glm::ivec3 size;  // cells
+  DistancePlan plan;
+  glm::ivec3 size;                                      // cells
+  std::shared_ptr<const BakedCloudscape> kept_by = {};  // which keeps it while that takes several frames
+  int stage = 0;
+  Texture slopes = {}, greatest = {}, squares = {}, spare = {};
   gpu::UniformBlock<DistanceBlock> block{"distance"};
   DistanceBlock values{ivec4(size, plan.levels),
                        vec4(plan.lowest_threshold, plan.between_levels, 0, 0),
@@ -76,66 +81,114 @@ struct DistanceFieldBuilder::Work {
 };
 
 // Of each cell the greatest shape noise that a look-up in it can find.
-Texture DistanceFieldBuilder::greatest_shape(const Work& work) const {
-  Texture greatest = cells(Format::rg32f, work.size, "greatest shape");
+void DistanceFieldBuilder::enclose_shape(Work& work) const {
+  work.greatest = cells(Format::rg32f, work.size, "greatest shape");
   gpu::UniformBlock<StructureBlock> block("structure");
   constexpr float reach = 0.01F;  // beyond the faces: a look-up beside one may be taken for the next cell's
   block.upload({work.values.weights, ivec4(work.size, work.baked.shape().width()), vec4(reach, 0, 0, 0)});
   block.bind();
   const Binding shape[] = {{0, &work.baked.shape()}};
-  enclose_.run(greatest, 0, work.size.z, shape);
-  return greatest;
+  enclose_.run(work.greatest, 0, work.size.z, shape);
 }
 
-// Of each cell and those about it: how steep the shape noise is.
-Texture DistanceFieldBuilder::padded_slopes(Work& work) const {
-  work.bind();
+// Of each texel: how steep the shape noise is.
+void DistanceFieldBuilder::find_slopes(Work& work) const {
   const Texture& shape = work.baked.shape();
-  const Texture fine(Format::r32f, shape.width(), shape.height(), shape.depth(), "slopes");
-  const Binding texels[] = {{0, &shape}}, slopes[] = {{0, &fine}};
-  slope_.run(fine, 0, shape.depth(), texels);
+  work.slopes = Texture(Format::r32f, shape.width(), shape.height(), shape.depth(), "slopes");
+  const Binding texels[] = {{0, &shape}};
+  slope_.run(work.slopes, 0, shape.depth(), texels);
+}
+
+// Of each cell and those about it.
+void DistanceFieldBuilder::pad_slopes(Work& work) const {
   const Texture own = cells(Format::rg32f, work.size, "slopes");
+  const Binding slopes[] = {{0, &work.slopes}}, unpadded[] = {{0, &own}};
   slope_cells_.run(own, 0, work.size.z, slopes);
   gpu::UniformBlock<StructureBlock> block("structure");
   block.upload({work.values.weights, ivec4(work.size, 0), vec4(0)});
   block.bind();
-  Texture padded = cells(Format::rg32f, work.size, "slopes");
-  const Binding unpadded[] = {{0, &own}};
-  pad_.run(padded, 0, work.size.z, unpadded);
-  return padded;
+  work.slopes = cells(Format::rg32f, work.size, "slopes");
+  pad_.run(work.slopes, 0, work.size.z, unpadded);
 }
 
-// Of each level in a channel: square of the distance to the nearest cell with cloud, m^2.
-Texture DistanceFieldBuilder::squares(Work& work, const Texture& greatest_shape) const {
-  Texture now = cells(Format::rgba32f, work.size, "distances"), next = cells(Format::rgba32f, work.size, "distances");
-  work.bind();
-  const Binding shape[] = {{0, &greatest_shape}};
-  seed_.run(now, 0, work.size.z, shape);
-  for (int axis = 0; axis < 3; ++axis) {
-    work.values.step = ivec4(axis == 0, axis == 1, axis == 2, searched(work.size)[axis]);
-    work.values.lengths.x = static_cast<float>(work.cell_m()[axis]);
-    work.bind();
-    const Binding found[] = {{0, &now}};
-    axis_.run(next, 0, work.size.z, found);
-    std::swap(now, next);
-  }
-  return now;
+// Of each level in a channel: square of the distance to the nearest cell with cloud, m^2. First of each cell alone.
+void DistanceFieldBuilder::begin_squares(Work& work) const {
+  work.squares = cells(Format::rgba32f, work.size, "distances");
+  work.spare = cells(Format::rgba32f, work.size, "distances");
+  const Binding shape[] = {{0, &work.greatest}};
+  seed_.run(work.squares, 0, work.size.z, shape);
 }
 
-Texture DistanceFieldBuilder::build(const BakedCloudscape& baked, const DistancePlan& plan) const {
-  Work work{baked, plan, size_for(baked)};
-  const Texture slopes = padded_slopes(work), squared = squares(work, greatest_shape(work));
+// Then of those in a row, along one axis after the other.
+void DistanceFieldBuilder::spread_squares(Work& work, int axis) const {
+  work.values.step = ivec4(axis == 0, axis == 1, axis == 2, searched(work.size)[axis]);
+  work.values.lengths.x = static_cast<float>(work.cell_m()[axis]);
   work.bind();
-  const glm::ivec3 all(work.size.x, work.size.y, work.size.z * plan.levels);
+  const Binding found[] = {{0, &work.squares}};
+  axis_.run(work.spare, 0, work.size.z, found);
+  std::swap(work.squares, work.spare);
+}
+
+Texture DistanceFieldBuilder::field_of(Work& work) const {
+  const glm::ivec3 all(work.size.x, work.size.y, work.size.z * work.plan.levels);
   Texture field = cells(Format::rg16f, all, "distance field");
-  const Binding found[] = {{0, &squared}, {1, &slopes}};
+  const Binding found[] = {{0, &work.squares}, {1, &work.slopes}};
   store_.run(field, 0, all.z, found);
   return field;
 }
 
+std::optional<Texture> DistanceFieldBuilder::next_stage(Work& work) const {
+  work.bind();
+  switch (work.stage++) {
+    case 0:
+      find_slopes(work);
+      break;
+    case 1:
+      pad_slopes(work);
+      break;
+    case 2:
+      enclose_shape(work);
+      break;
+    case 3:
+      begin_squares(work);
+      break;
+    case 4:
+    case 5:
+    case 6:
+      spread_squares(work, work.stage - 5);
+      break;
+    default:
+      return field_of(work);
+  }
+  return std::nullopt;
+}
+
 const Texture& DistanceFieldBuilder::of(const BakedCloudscape& baked, const DistancePlan& plan) const {
-  constexpr std::size_t most = 3;  // documents that differ in nothing but their coverage or the land
-  return kept_of(baked.distance_fields_, plan, most, [&] { return build(baked, plan); });
+  return kept_of(baked.distance_fields_, plan, most_kept, [&] {
+    Work work{baked, plan, size_for(baked)};
+    std::optional<Texture> field;
+    while (!(field = next_stage(work))) {
+    }
+    return std::move(*field);
+  });
+}
+
+bool DistanceFieldBuilder::advance(const std::shared_ptr<const BakedCloudscape>& baked, const DistancePlan& plan) {
+  if (std::ranges::find(baked->distance_fields_, plan, &std::pair<DistancePlan, Texture>::first) !=
+      baked->distance_fields_.end())
+    return true;
+  const auto is_asked = [&](const auto& work) { return work->kept_by == baked && work->plan == plan; };
+  auto found = std::ranges::find_if(works_, is_asked);
+  if (found == works_.end()) {
+    works_.push_front(std::make_shared<Work>(*baked, plan, size_for(*baked), baked));
+    found = works_.begin();
+    if (works_.size() > most_kept) works_.pop_back();
+  }
+  std::optional<Texture> field = next_stage(**found);
+  if (!field) return false;
+  kept_of(baked->distance_fields_, plan, most_kept, [&] { return std::move(*field); });
+  works_.erase(found);
+  return true;
 }
 
 }  // namespace cloudscape::bake

@@ -1,6 +1,10 @@
 // The distance field: how far each point of the tile is from the nearest cloud, so that a march can cross clear air in
 // as few steps as there are clouds beside it (UHawk, "Rendering volumetric clouds using signed distance fields").
 #pragma once
+#include <list>
+#include <memory>
+#include <optional>
+
 #include "bake/baked_cloudscape.h"
 #include "gpu/pass.h"
 
@@ -17,14 +21,21 @@ class DistanceFieldBuilder {
   // cloud. Green: metres that the noise less the threshold takes at least to change by 1, within a cell's length of the
   // cell. Built on the device when first asked for, and kept with the baked cloudscape for the last few plans.
   const gpu::Texture& of(const BakedCloudscape& baked, const DistancePlan& plan) const;
+  // Does a stage of that, 10 to 60 ms of two cores without a GPU; true: all are done.
+  bool advance(const std::shared_ptr<const BakedCloudscape>& baked, const DistancePlan& plan);
 
  private:
   struct Work;
-  gpu::Texture build(const BakedCloudscape& baked, const DistancePlan& plan) const;
-  gpu::Texture greatest_shape(const Work& work) const;
-  gpu::Texture padded_slopes(Work& work) const;
-  gpu::Texture squares(Work& work, const gpu::Texture& greatest_shape) const;
+  // Each does a part of the work; the last one returns the field.
+  void enclose_shape(Work& work) const;
+  void find_slopes(Work& work) const;
+  void pad_slopes(Work& work) const;
+  void begin_squares(Work& work) const;
+  void spread_squares(Work& work, int axis) const;
+  gpu::Texture field_of(Work& work) const;
+  std::optional<gpu::Texture> next_stage(Work& work) const;
   int most_across_;
+  std::list<std::shared_ptr<Work>> works_;  // fields that are being built, the newest first
   gpu::VolumePass enclose_, pad_, slope_, slope_cells_, seed_, axis_, store_;
 };
 

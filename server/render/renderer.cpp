@@ -92,7 +92,7 @@ bool Renderer::advance(RenderJob& job) {
     return false;
   }
   if (job.request.quality.technique == Technique::path_tracing) return advance_trace(job);
-  if (!find_in_scatter(job) || !find_sun_depth(job) || !find_water(job)) return false;
+  if (!find_distances(job) || !find_in_scatter(job) || !find_sun_depth(job) || !find_water(job)) return false;
   if (!job.targets) {
     const bool by_tiles = job.resolved && context_.device().software;
     const RayPlaces places = by_tiles ? RayPlaces::over_tiles : RayPlaces::first;
@@ -138,6 +138,16 @@ bool Renderer::find_in_scatter(RenderJob& job) {
 // The clouds' shadows.
 bool Renderer::find_sun_depth(RenderJob& job) {
   if (job.sun_depth || sun_depths_.prepare({job.request, cloud_values(job), job.baked}, job.sun_depth)) return true;
+  context_.finish();
+  return false;
+}
+
+// How far from clouds each place is.
+bool Renderer::find_distances(const RenderJob& job) {
+  if (!job.request.march.distance_field) return true;
+  const std::shared_ptr<const Cloudscape> marched = as_marched(job.request, *job.baked).cloudscape;
+  if (!is_textured(marched->volume.kind) || distances_.advance(job.baked, distance_plan_of(*marched, *job.baked)))
+    return true;
   context_.finish();
   return false;
 }

@@ -87,6 +87,7 @@ class Renderer {
   History& history_of(const FrameRequest& request);
   bool find_baked(RenderJob& job);
   bool find_in_scatter(RenderJob& job);
+  bool find_distances(const RenderJob& job);
   bool find_sun_depth(RenderJob& job);
   bool find_water(RenderJob& job);
   Passes::Medium medium_of(const RenderJob& job);

@@ -64,6 +64,20 @@ glm::dvec3 gap_m(const glm::ivec3& cell, const glm::ivec3& cloud) {
   return glm::dvec3(glm::max(away - 2, glm::ivec3(0))) * glm::dvec3(100, 200, 50);
 }
 
+// Frames of others come in between; and of two documents whose fields are built by turns neither gets the other's.
+TEST_F(DistanceField, BuiltInStagesIsTheOneBuiltAtOnce) {
+  const auto staged = std::make_shared<const BakedCloudscape>(texels_with({{{1, 8, 6}, 255}}));
+  const auto other = std::make_shared<const BakedCloudscape>(texels_with({{{4, 4, 9}, 255}}));
+  const BakedCloudscape at_once(texels_with({{{1, 8, 6}, 255}}));
+  const DistancePlan plan = plan_of(0.3, 0.6);
+  int stages = 1;
+  while (!builder_.advance(staged, plan)) ++stages, builder_.advance(other, plan);
+  EXPECT_GT(stages, 4);
+  EXPECT_TRUE(builder_.advance(staged, plan)) << "it is kept";
+  EXPECT_EQ(builder_.of(*staged, plan).download(), builder_.of(at_once, plan).download());
+  EXPECT_NE(builder_.of(*other, plan).download(), builder_.of(at_once, plan).download());
+}
+
 TEST_F(DistanceField, OfOneCloudIsTheGapToItAroundTheTilesEdges) {
   const BakedCloudscape baked(texels_with({{{1, 8, 6}, 255}}));
   const Field field = built(baked, plan_of(0.3, 0.3));
