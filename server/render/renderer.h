@@ -91,6 +91,7 @@ class Renderer {
   bool find_sun_depth(RenderJob& job);
   bool find_water(RenderJob& job);
   Passes::Medium medium_of(const RenderJob& job);
+  static bake::PhaseRecipe phase_recipe(const Phase& phase);
   bool advance_trace(RenderJob& job);
   void finish_trace(RenderJob& job);
   CloudBlock cloud_values(const RenderJob& job) const;
