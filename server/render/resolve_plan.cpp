@@ -33,10 +33,10 @@ bool same_light(const Cloudscape& a, const Cloudscape& b) {
 
 // tuned: samples in a pixel's average. A resting picture gathers until its noise is gone; a moving one forgets what it
 // was re-projected from before that goes soft; a new light shows within some frames.
-constexpr double resting_samples = 32, moving_samples = 2, new_light_samples = 1;
+constexpr double resting_samples = 32, slow_samples = 16, moving_samples = 2, new_light_samples = 1;
 // tuned: by how much of its range a neighbourhood of noisy samples is widened. Wider keeps what falls between the
-// samples, and what has gone. A resting picture needs no bound at all.
-constexpr double resting_margin = 1e4, moving_margin = 0.6, new_light_margin = 0;
+// samples, and what has gone: the shape of a hill that one has flown past. A resting picture needs no bound at all.
+constexpr double resting_margin = 1e4, slow_margin = 4, moving_margin = 0.6, new_light_margin = 0;
 
 }  // namespace
 
@@ -127,10 +127,12 @@ ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const K
   block.before_forward = xyz_w(axes.forward, known);
   block.moved = xyz_w(now.pose.position_m - then.pose.position_m, half_height_of(now.vertical_fov_deg));
   block.drift = xyz_w(glm::dvec3(drift, 0), 0);
-  const bool resting = now.time_s == then.time_s;
-  block.marched = {at.x, at.y, resting && now.pose == then.pose ? 0 : 1, 0};
-  block.trust = {resting ? resting_samples : moving_samples, moving_samples, resting ? resting_margin : moving_margin,
-                 moving_margin};
+  const bool slow = now.time_s == then.time_s;  // where the view, too, hardly moves
+  const bool resting = slow && now.pose == then.pose;
+  block.marched = {at.x, at.y, resting ? 0 : 1, 0};
+  block.trust = {moving_samples, moving_samples, moving_margin, moving_margin};
+  if (slow) block.trust.x = slow_samples, block.trust.z = slow_margin;
+  if (resting) block.trust.x = resting_samples, block.trust.z = resting_margin;
   if (new_light) block.trust = {new_light_samples, new_light_samples, new_light_margin, new_light_margin};
   return block;
 }

@@ -39,6 +39,7 @@ Marched marched_around(ivec2 pixel, int stride) {
 // colour keeps its hue on that way.
 vec3 within(Marched around, vec3 kept, float margin) {
   vec3 way = kept - around.here.xyz;
+  way = mix(vec3(0.0), way, lessThan(abs(way), vec3(1.0e30)));  // what is no number would spread from frame to frame
   vec3 widened = margin * (around.greatest.xyz - around.least.xyz) + 1.0e-6;
   vec3 room = mix(around.here.xyz - around.least.xyz, around.greatest.xyz - around.here.xyz, greaterThan(way, vec3(0.0))) + widened;
   vec3 shares = room / max(abs(way), vec3(1.0e-6));
