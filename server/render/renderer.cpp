@@ -143,23 +143,26 @@ bool Renderer::find_sun_depth(RenderJob& job) {
 }
 
 // How far from clouds each place is.
-bool Renderer::find_distances(const RenderJob& job) {
-  if (!job.request.march.distance_field) return true;
-  const std::shared_ptr<const Cloudscape> marched = as_marched(job.request, *job.baked).cloudscape;
-  if (!is_textured(marched->volume.kind) || distances_.advance(job.baked, distance_plan_of(*marched, *job.baked)))
+bool Renderer::find_distances(RenderJob& job) {
+  if (job.distances || !job.request.march.distance_field || !is_textured(job.request.cloudscape->volume.kind))
     return true;
+  const bake::DistancePlan plan = distance_plan_of(*as_marched(job.request, *job.baked).cloudscape, *job.baked);
+  if (distances_.advance(job.baked, plan)) {
+    job.distances = plan;
+    return true;
+  }
   context_.finish();
   return false;
 }
 
 // The clouds without land and water.
 Passes::Medium Renderer::medium_of(const RenderJob& job) {
-  const std::shared_ptr<const Cloudscape> marched = as_marched(job.request, *job.baked).cloudscape;
   const bool distances = job.request.march.distance_field;
   const gpu::Texture* nearness = &job.baked->shape();  // formulas have none
-  if (is_textured(marched->volume.kind))
-    nearness = distances ? &distances_.of(*job.baked, distance_plan_of(*marched, *job.baked))
-                         : &structures_.of(*job.baked, mixing_weights(*marched));
+  if (job.distances)
+    nearness = &distances_.of(*job.baked, *job.distances);
+  else if (is_textured(job.request.cloudscape->volume.kind))
+    nearness = &structures_.of(*job.baked, mixing_weights(*as_marched(job.request, *job.baked).cloudscape));
   const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
   Passes::Medium medium{*job.baked, *nearness, distances, {}, phase, job.in_scatter.get(), job.sun_depth.get()};
   medium.kinds = march_kinds(cloud_values(job), job.request.cloudscape->sky.kind);

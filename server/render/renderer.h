@@ -31,6 +31,7 @@ struct RenderJob {
   std::shared_ptr<const bake::PhaseTexture> phase;    // where the document's phase function is looked up
   std::shared_ptr<const InScatterVolume> in_scatter;  // where its light model needs one
   std::shared_ptr<const gpu::Texture> sun_depth;      // where clouds cast shadows
+  std::optional<bake::DistancePlan> distances;        // of the distance field, where the march has one
   Land land;
   WaterView water;
   std::unique_ptr<Targets> targets;
@@ -87,7 +88,7 @@ class Renderer {
   History& history_of(const FrameRequest& request);
   bool find_baked(RenderJob& job);
   bool find_in_scatter(RenderJob& job);
-  bool find_distances(const RenderJob& job);
+  bool find_distances(RenderJob& job);
   bool find_sun_depth(RenderJob& job);
   bool find_water(RenderJob& job);
   Passes::Medium medium_of(const RenderJob& job);

@@ -113,7 +113,7 @@ KeptView kept_view(const FrameRequest& asked, const ResolvePlan& plan) {
 }
 
 ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const KeptView& now,
-                           const std::optional<KeptView>& before) {
+                           const std::optional<KeptView>& before, bool resting) {
   const bool known = before && same_clouds(*before->cloudscape, *now.cloudscape);
   const KeptView& then = known ? *before : now;
   const CameraAxes axes = camera_axes(then.pose);
@@ -127,8 +127,8 @@ ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const K
   block.before_forward = xyz_w(axes.forward, known);
   block.moved = xyz_w(now.pose.position_m - then.pose.position_m, half_height_of(now.vertical_fov_deg));
   block.drift = xyz_w(glm::dvec3(drift, 0), 0);
+  resting = resting && known;
   const bool slow = now.time_s == then.time_s;  // where the view, too, hardly moves
-  const bool resting = slow && now.pose == then.pose;
   block.marched = {at.x, at.y, resting ? 0 : 1, 0};
   block.trust = {moving_samples, moving_samples, moving_margin, moving_margin};
   if (slow) block.trust.x = slow_samples, block.trust.z = slow_margin;

@@ -42,8 +42,8 @@ struct KeptView {
   std::shared_ptr<const Cloudscape> cloudscape;
 };
 KeptView kept_view(const FrameRequest& asked, const ResolvePlan& plan);
-// `before`: nullopt if there is none that this one could continue.
+// `before`: nullopt if there is none that this one could continue. `resting`: whether that showed the same.
 ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const KeptView& now,
-                           const std::optional<KeptView>& before);
+                           const std::optional<KeptView>& before, bool resting);
 
 }  // namespace cloudscape::render

@@ -59,7 +59,8 @@ void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, 
   Picture& picture = pictures_[frame.asked.stream];
   const KeptView now = kept_view(frame.asked, plan);
   const bool before = static_cast<bool>(picture.radiance);
-  block_.upload(resolve_block(plan, frame.frame, now, before ? std::optional(picture.view) : std::nullopt));
+  block_.upload(
+      resolve_block(plan, frame.frame, now, before ? std::optional(picture.view) : std::nullopt, frame.resting));
   block_.bind();
   const Texture* even[] = {&shared.even};
   const Binding seen[] = {{0, &marched.radiance}, {1, &marched.depth}};

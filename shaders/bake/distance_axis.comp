@@ -2,7 +2,7 @@
 // it of the square of the gap to them and what the axes before found there. East and north go on around the tile's edges.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/distance_block.glsl"
-#include "bake/around_edges.glsl"
+#include "lib/around_edges.glsl"
 layout(binding = 0, rgba32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D squares;
 

@@ -1,7 +1,7 @@
 // How fast the shape noise changes, at most, in each cube of eight texel middles: from the texel to the next east, north and up (1/m).
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/distance_block.glsl"
-#include "bake/around_edges.glsl"
+#include "lib/around_edges.glsl"
 layout(binding = 0, r32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D shape_texture;
 

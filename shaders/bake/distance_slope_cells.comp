@@ -1,7 +1,7 @@
 // The steepest slope of the shape noise in each cell (1/m).
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/distance_block.glsl"
-#include "bake/around_edges.glsl"
+#include "lib/around_edges.glsl"
 layout(binding = 0, rg32f) uniform writeonly image3D target;
 layout(binding = 0) uniform sampler3D slopes;
 

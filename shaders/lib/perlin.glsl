@@ -2,6 +2,7 @@
 // `int permutation(int index)`, 0 <= index < 256, a permutation of 0..255.
 #ifndef LIB_PERLIN
 #define LIB_PERLIN
+#include "lib/around_edges.glsl"
 int permutation(int index);
 
 float perlin_fade(float t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
@@ -23,7 +24,7 @@ float perlin_noise(vec3 position, ivec3 period) {
   ivec3 cell = ivec3(floor(position));
   vec3 f = position - floor(position);
   ivec3 a = ivec3(cell.x % period.x, cell.y % period.y, cell.z % period.z);
-  ivec3 b = ivec3(a.x + 1 < period.x ? a.x + 1 : 0, a.y + 1 < period.y ? a.y + 1 : 0, a.z + 1 < period.z ? a.z + 1 : 0);
+  ivec3 b = around_edges(a + 1, period);
   float u = perlin_fade(f.x);
   float v = perlin_fade(f.y);
   float w = perlin_fade(f.z);

@@ -1,17 +1,12 @@
 // Cellular noise (Worley 1996) with one feature point a cell, on cells that repeat (Olajos 2.2.2).
 #ifndef LIB_WORLEY
 #define LIB_WORLEY
+#include "lib/around_edges.glsl"
 #include "lib/hash.glsl"
 
 // The feature point of a cell, in 0..1 of the cell.
 vec3 worley_point(ivec3 cell, uint seed) {
   return hash_unit(uvec3(uint(cell.x), uint(cell.y), uint(cell.z) ^ (seed * 747796405u + 2891336453u)));
-}
-
-// A cell of the lattice or next to it as the one that repeats there.
-int wrapped_cell(int cell, int period) { return cell < 0 ? cell + period : cell >= period ? cell - period : cell; }
-ivec3 wrapped_cell(ivec3 cell, ivec3 period) {
-  return ivec3(wrapped_cell(cell.x, period.x), wrapped_cell(cell.y, period.y), wrapped_cell(cell.z, period.z));
 }
 
 // 1 - d / sqrt(3), in [0, 1]: 1 at a feature point. The nearest point lies in the 3x3x3 neighbourhood. `position` in cells, not
@@ -23,7 +18,7 @@ float worley_noise(vec3 position, ivec3 period, uint seed) {
   for (int z = -1; z <= 1; ++z) {
     for (int y = -1; y <= 1; ++y) {
       for (int x = -1; x <= 1; ++x) {
-        ivec3 wrapped = wrapped_cell(cell + ivec3(x, y, z), period);
+        ivec3 wrapped = around_edges(cell + ivec3(x, y, z), period);
         vec3 offset = vec3(float(x), float(y), float(z)) + worley_point(wrapped, seed) - f;
         nearest2 = min(nearest2, dot(offset, offset));
       }

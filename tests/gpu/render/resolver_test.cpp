@@ -162,6 +162,30 @@ TEST_F(Resolver, fog_has_no_dots) {
   EXPECT_LT(difference(last_of(request, 12, 2, 4), render(whole(there, 32))), 1.6);  // 2.4 if they are not evened
 }
 
+// Out of a cloud at once: what one sees then hardly moves, and is bounded all the same.
+TEST_F(Resolver, cloud_that_one_has_left_does_not_stay) {
+  FrameRequest request = moving(16, 2, next_stream());
+  auto fog = std::make_shared<Cloudscape>(*request.cloudscape);
+  fog->shape.coverage = 1, fog->medium.extinction_per_m = 0.08;
+  request.cloudscape = fog;
+  request.pose.position_m.z = fog->volume.origin_m.z + 0.1 * fog->volume.size_m.z;
+  for (int i = 0; i < 8; ++i) renderer().render(request);
+  request.pose.position_m.z = fog->volume.origin_m.z + 2 * fog->volume.size_m.z;  // and sees the sky
+  FrameRequest there = request;
+  there.pose.position_m.z += 2 * 0.1;
+  EXPECT_LT(difference(last_of(request, 3, 0, 0.1), render(whole(there, 32))),
+            25);  // 32 without the bound: 24x14 rays of sky differ much
+}
+
+// A ray that begins within the ground sees it at no distance, and not nothing.
+TEST_F(Resolver, below_the_ground_is_as_dark_as_the_whole_picture) {
+  FrameRequest request = moving(16, 2, next_stream());
+  request.pose.position_m.z = -5;
+  FrameRequest there = request;
+  there.pose.position_m.z -= 3;
+  EXPECT_LT(difference(last_of(request, 4, 0, -1), render(whole(there, 4))), 2);
+}
+
 TEST_F(Resolver, equal_flights_give_equal_bytes) {
   EXPECT_EQ(last_of(moving(16, 2, next_stream()), 5, 1).display_rgba,
             last_of(moving(16, 2, next_stream()), 5, 1).display_rgba);
