@@ -22,15 +22,15 @@ struct Cost {
 };
 
 bake::BakedTexels baked(GpuStack& stack, const bake::BakeRecipe& recipe) {
-  const bake::Baker baker(stack.shaders);
-  bake::BakeJob job(baker, recipe);
+  const bake::Baker baker(stack.context, stack.shaders);
+  const std::unique_ptr<bake::BakeJob> job = baker.begin(recipe);
   const bake::BakeStore::Progress progress = progress_on_stderr();
-  while (!job.advance()) {
+  while (!job->advance()) {
     stack.context.finish();
-    progress(recipe, std::min(job.progress(), 0.999));
+    progress(recipe, std::min(job->progress(), 0.999));
   }
   progress(recipe, 1);
-  return job.texels();
+  return job->texels();
 }
 
 // The time of loading is that of a file that was written just now: of the disk's own speed it says nothing.

@@ -69,7 +69,7 @@ std::filesystem::path cache_folder(const std::string& cache_dir) {
 GpuStack::GpuStack(const GpuOptions& options, bake::BakeStore::Progress progress)
     : context(context_options(options)),
       shaders(options.shader_dir),
-      bakes(shaders, bake::BakeCache(cache_folder(options.cache_dir), bytes_of_mib(options.cache_limit_mib)),
+      bakes(context, shaders, bake::BakeCache(cache_folder(options.cache_dir), bytes_of_mib(options.cache_limit_mib)),
             device_bake_bytes, std::move(progress), options.volume_dir),
       renderer(context, shaders, bakes, options.height_map_dir) {
   keep_memory_of_frames();

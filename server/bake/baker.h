@@ -1,33 +1,37 @@
-// Bakes noise into textures on the device, slab by slab, so that frames can be rendered in between.
+// Bakes noise into textures, slab by slab, so that frames can be rendered in between.
 #pragma once
+#include <memory>
+
 #include "bake/baked_cloudscape.h"
-#include "bake/blocks.h"
 #include "gpu/pass.h"
 
 namespace cloudscape::bake {
 
-class Baker {
- public:
-  explicit Baker(gpu::ShaderLibrary& shaders);
+// Where the texels are computed: the device's shaders, or the processor, where the device is nothing else.
+enum class BakedBy { device, processor };
 
- private:
-  friend class BakeJob;
-  gpu::VolumePass shape_, mixed_, detail_, variation_;
-};
-
+// A bake under way.
 class BakeJob {
  public:
-  BakeJob(const Baker& baker, BakeRecipe recipe);
-  bool advance();              // bakes the next slab; true when all is done
-  double progress() const;     // 0..1
-  BakedTexels texels() const;  // once advance() said true; waits for the device
+  virtual ~BakeJob() = default;
+  virtual bool advance() = 0;              // bakes the next slab; true when all is done
+  virtual double progress() const = 0;     // 0..1
+  virtual BakedTexels texels() const = 0;  // once advance() said true; waits for the device
+};
+
+class Baker {
+ public:
+  Baker(const gpu::Context& context, gpu::ShaderLibrary& shaders);
+  Baker(BakedBy by, gpu::ShaderLibrary& shaders);
+  std::unique_ptr<BakeJob> begin(BakeRecipe recipe) const;
+
+  struct Shaders {
+    explicit Shaders(gpu::ShaderLibrary& shaders);
+    gpu::VolumePass shape, mixed, detail, variation;
+  };
 
  private:
-  const Baker& baker_;
-  BakeRecipe recipe_;
-  gpu::Texture shape_, detail_, variation_, permutation_, towers_;
-  gpu::UniformBlock<BakeBlock> block_;
-  int next_z_ = 0;
+  std::optional<Shaders> shaders_;
 };
 
 }  // namespace cloudscape::bake

@@ -1,8 +1,16 @@
 #include "bake/recipe.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/content_hash.h"
 
 namespace cloudscape::bake {
+
+glm::ivec3 lattice_cells(const NoiseChannel& channel, double height_over_width) {
+  const int up = std::clamp(static_cast<int>(std::lround(channel.frequency * height_over_width)), 1, 256);
+  return {channel.frequency, channel.frequency, up};
+}
 
 BakeRecipe bake_recipe(const Cloudscape& cloudscape, const std::filesystem::path& volumes) {
   BakeRecipe recipe;

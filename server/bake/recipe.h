@@ -11,7 +11,7 @@
 namespace cloudscape::bake {
 
 struct BakeRecipe {
-  int version = 3;  // of the baking shaders: raise it when they change what they make
+  int version = 4;  // of the baking shaders: raise it when they change what they make
   std::uint32_t seed = 1;
   int resolution = 128;
   VolumeFormat format = VolumeFormat::rgba8;
@@ -39,6 +39,9 @@ struct BakeRecipe {
     visit("grid", self.grid, Limits{}, "");
   }
 };
+
+// Lattice cells of a channel's first octave: whole ones up as well, so that the noise tiles in all three directions.
+glm::ivec3 lattice_cells(const NoiseChannel& channel, double height_over_width);
 
 // A homogeneous volume needs no noise: its recipe is one texel. `volumes`: the folder of the files that volumes may
 // name; empty: none.

@@ -6,9 +6,9 @@
 
 namespace cloudscape::bake {
 
-BakeStore::BakeStore(gpu::ShaderLibrary& shaders, BakeCache cache, std::uint64_t limit_bytes, Progress progress,
-                     std::filesystem::path volumes)
-    : baker_(shaders),
+BakeStore::BakeStore(const gpu::Context& context, gpu::ShaderLibrary& shaders, BakeCache cache,
+                     std::uint64_t limit_bytes, Progress progress, std::filesystem::path volumes)
+    : baker_(context, shaders),
       cache_(std::move(cache)),
       phases_(PhaseCache(cache_.files())),
       grids_(std::move(volumes)),
@@ -58,7 +58,7 @@ void BakeStore::advance(const BakeRecipe& recipe) {
   ++advances_;
   if (!jobs_.contains(key)) {
     if (!make_room_for_a_job()) return;
-    jobs_[key].job = std::make_unique<BakeJob>(baker_, recipe);
+    jobs_[key].job = baker_.begin(recipe);
   }
   jobs_[key].advanced = advances_;
   BakeJob* job = jobs_[key].job.get();

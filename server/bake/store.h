@@ -18,8 +18,8 @@ class BakeStore {
   using Progress = std::function<void(const BakeRecipe& recipe, double share)>;  // 0..1; 1 once, at the end
   // `limit_bytes`: textures that are kept on the device beside those in use. `volumes`: the folder of the files that
   // volumes may name; empty: none.
-  BakeStore(gpu::ShaderLibrary& shaders, BakeCache cache, std::uint64_t limit_bytes, Progress progress = {},
-            std::filesystem::path volumes = {});
+  BakeStore(const gpu::Context& context, gpu::ShaderLibrary& shaders, BakeCache cache, std::uint64_t limit_bytes,
+            Progress progress = {}, std::filesystem::path volumes = {});
   ~BakeStore();
 
   BakeRecipe recipe_of(const Cloudscape& cloudscape) const { return bake_recipe(cloudscape, grids_.folder()); }

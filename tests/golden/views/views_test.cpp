@@ -92,7 +92,8 @@ FrameRequest request_of(const View& view) {
 Picture render(const View& view) {
   const gpu::Context context{gpu::ContextOptions{}};
   gpu::ShaderLibrary shaders;
-  bake::BakeStore bakes(shaders, bake::BakeCache(fs::path(CLOUDSCAPE_GOLDEN_FOLDER) / "bakes", 1U << 30), 1U << 30);
+  bake::BakeStore bakes(context, shaders, bake::BakeCache(fs::path(CLOUDSCAPE_GOLDEN_FOLDER) / "bakes", 1U << 30),
+                        1U << 30);
   render::Renderer renderer(context, shaders, bakes);
   return picture_of(renderer.render(request_of(view)));
 }

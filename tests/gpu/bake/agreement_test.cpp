@@ -60,9 +60,15 @@ void expect_agreement(const BakeRecipe& recipe, const std::vector<std::uint8_t>&
     }
 }
 
-class BakeAgreement : public BakeTest {};
+class BakeAgreement : public BakeTest, public testing::WithParamInterface<BakedBy> {
+ protected:
+  BakeAgreement() { baker_ = Baker(GetParam(), shaders_); }
+};
+INSTANTIATE_TEST_SUITE_P(ByTheDeviceAndTheProcessor, BakeAgreement,
+                         testing::Values(BakedBy::device, BakedBy::processor),
+                         [](const auto& by) { return by.param == BakedBy::device ? "device" : "processor"; });
 
-TEST_F(BakeAgreement, OfTheShapeTexture) {
+TEST_P(BakeAgreement, OfTheShapeTexture) {
   for (const std::uint32_t seed : {0U, 5U, 4294967295U}) {
     BakeRecipe recipe = small_recipe();
     recipe.seed = seed;
@@ -70,7 +76,14 @@ TEST_F(BakeAgreement, OfTheShapeTexture) {
   }
 }
 
-TEST_F(BakeAgreement, OfADeepTileWithoutTowers) {
+// Lattices finer than the texels, too.
+TEST_P(BakeAgreement, OfTheCoarsestTexture) {
+  BakeRecipe recipe = small_recipe();
+  recipe.noise.channels[2] = {0.5, 128, 2, 4, 0.5, 1};
+  expect_agreement(recipe, bake(recipe).shape, 3);
+}
+
+TEST_P(BakeAgreement, OfADeepTileWithoutTowers) {
   BakeRecipe recipe = small_recipe();
   recipe.towers.clear();
   recipe.height_over_width = 2.7;  // 11 and 5 cells high: whole numbers, and no powers of two
@@ -80,22 +93,22 @@ TEST_F(BakeAgreement, OfADeepTileWithoutTowers) {
 }
 
 // 64 texels a side are baked in several slabs.
-TEST_F(BakeAgreement, DoesNotDependOnTheSlabs) {
+TEST_P(BakeAgreement, DoesNotDependOnTheSlabs) {
   BakeRecipe recipe = small_recipe();
   recipe.resolution = 64;
-  BakeJob job(baker_, recipe);
+  const std::unique_ptr<BakeJob> job = baker_.begin(recipe);
   int slabs = 1;
   double before = 0;
-  for (; !job.advance(); ++slabs) {
-    EXPECT_GT(job.progress(), before);
-    EXPECT_LT(before = job.progress(), 1);
+  for (; !job->advance(); ++slabs) {
+    EXPECT_GT(job->progress(), before);
+    EXPECT_LT(before = job->progress(), 1);
   }
-  EXPECT_EQ(job.progress(), 1);
+  EXPECT_EQ(job->progress(), 1);
   ASSERT_GT(slabs, 1);
-  expect_agreement(recipe, job.texels().shape, 97);
+  expect_agreement(recipe, job->texels().shape, 97);
 }
 
-TEST_F(BakeAgreement, OfTheDetailTexture) {
+TEST_P(BakeAgreement, OfTheDetailTexture) {
   const BakeRecipe recipe = small_recipe();
   glsl::current_permutation = permutation_table(recipe.seed);
   const std::vector<std::uint8_t> detail = bake(recipe).detail;
@@ -110,7 +123,7 @@ TEST_F(BakeAgreement, OfTheDetailTexture) {
 }
 
 // Half floats of at most 1 round by at most 2^-12, or 2^-11 where a device cuts them off.
-TEST_F(BakeAgreement, OfTheVariationMap) {
+TEST_P(BakeAgreement, OfTheVariationMap) {
   const BakeRecipe recipe = small_recipe();
   glsl::current_permutation = permutation_table(recipe.seed);
   const auto halves = gpu::as_numbers<std::uint16_t>(bake(recipe).variation);

@@ -31,12 +31,12 @@ inline BakeRecipe tiny_recipe(std::uint32_t seed) {
 class BakeTest : public gpu::GpuTest {
  protected:
   BakedTexels bake(const BakeRecipe& recipe) {
-    BakeJob job(baker_, recipe);
-    while (!job.advance()) continue;
-    return job.texels();
+    const std::unique_ptr<BakeJob> job = baker_.begin(recipe);
+    while (!job->advance()) continue;
+    return job->texels();
   }
   gpu::ShaderLibrary shaders_;
-  Baker baker_{shaders_};
+  Baker baker_{context(), shaders_};
 };
 
 // Removed at its end.

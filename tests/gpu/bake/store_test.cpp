@@ -15,7 +15,7 @@ constexpr std::uint64_t plenty = 1ULL << 30;
 class Store : public BakeTest {
  protected:
   BakeStore make(std::uint64_t limit_bytes = plenty) {
-    return {shaders_, BakeCache(folder_.path(), plenty), limit_bytes,
+    return {context(), shaders_, BakeCache(folder_.path(), plenty), limit_bytes,
             [this](const BakeRecipe& recipe, double share) { progress_.emplace_back(recipe.seed, share); }};
   }
   CacheFolder folder_;

@@ -18,7 +18,7 @@ struct Stack {
   explicit Stack(gpu::PassExecution execution = gpu::PassExecution::automatic, std::filesystem::path height_maps = {},
                  std::filesystem::path volumes = {})
       : context({.execution = execution}),
-        bakes(shaders, bake::BakeCache({}, 0), std::uint64_t{1} << 30, {}, std::move(volumes)),
+        bakes(context, shaders, bake::BakeCache({}, 0), std::uint64_t{1} << 30, {}, std::move(volumes)),
         renderer(context, shaders, bakes, std::move(height_maps)) {}
   gpu::Context context;
   gpu::ShaderLibrary shaders;

@@ -117,7 +117,7 @@ struct Kept : OwnStackTest {
   std::vector<float> in_a_new_program(double sun_deg) {
     gpu::Context context({});
     gpu::ShaderLibrary shaders;
-    bake::BakeStore bakes(shaders, bake::BakeCache(folder.path(), 1 << 28), std::uint64_t{1} << 28);
+    bake::BakeStore bakes(context, shaders, bake::BakeCache(folder.path(), 1 << 28), std::uint64_t{1} << 28);
     Renderer renderer(context, shaders, bakes);
     return seen(renderer, sun_deg);
   }

@@ -1,0 +1,161 @@
+#include "bake/noise_texels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+
+#include "bake/permutation.h"
+
+namespace cloudscape::bake {
+namespace {
+
+std::size_t count(int texels) { return static_cast<std::size_t>(texels); }
+float mix(float a, float b, float share) { return a + (b - a) * share; }
+float middle(int texel, int texels) { return (static_cast<float>(texel) + 0.5F) / static_cast<float>(texels); }
+
+// Spreads [low, high] over [0, 1], as shaders/lib/shape.glsl.
+float stretch(float value, float low, float high) { return std::clamp((value - low) / (high - low), 0.0F, 1.0F); }
+float stretched_worley(float value) { return stretch(value, 0.3F, 0.95F); }
+float stretched_perlin(float value) { return stretch(value, 0.25F, 0.75F); }
+
+std::uint8_t code(float value) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F))); }
+
+void store_half(float value, std::uint8_t* bytes) {
+  const std::uint16_t half = glm::packHalf1x16(value);
+  std::memcpy(bytes, &half, sizeof half);
+}
+
+Fbm fbm_of(const NoiseChannel& channel, double height_over_width) {
+  return {lattice_cells(channel, height_over_width), channel.octaves, channel.lacunarity,
+          static_cast<float>(channel.gain)};
+}
+
+float height_distribution(float h, float a, float b) { return (1 - std::exp(-a * h)) * std::exp(-b * h); }
+
+// shaders/lib/shape.glsl
+float tile_window(float x, float y) {
+  const float t = std::clamp(std::min({x, 1 - x, y, 1 - y}) / 0.08F, 0.0F, 1.0F);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+ChannelRows::ChannelRows(const BakeRecipe& recipe, std::size_t channel)
+    : worley_mix_(static_cast<float>(recipe.noise.channels[channel].worley_mix)), other_(count(recipe.resolution)) {
+  const Fbm fbm = fbm_of(recipe.noise.channels[channel], recipe.height_over_width);
+  const auto salt = static_cast<std::uint32_t>(channel);
+  if (worley_mix_ > 0) worley_.emplace(fbm, recipe.seed * 16 + salt, recipe.resolution);
+  if (worley_mix_ < 1) perlin_.emplace(fbm, permutation_table(recipe.seed));
+}
+
+void ChannelRows::fill(float y, float z, std::span<float> row) {
+  std::ranges::fill(row, 0.0F);
+  if (worley_) worley_->fill(y, z, row);
+  for (float& value : row) value = stretched_worley(value);
+  if (!perlin_) return;
+  perlin_->fill(y, z, other_);
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = mix(stretched_perlin(other_[i]), row[i], worley_mix_);
+}
+
+ShapeTexels::ShapeTexels(const BakeRecipe& recipe) : recipe_(recipe) {
+  const int side = recipe.resolution;
+  for (std::size_t i = 0; i < 4; ++i) {
+    channels_.emplace_back(recipe, i);
+    rows_[i].resize(count(side));
+  }
+  for (int texel = 0; texel < side * side; ++texel) {
+    const float x = middle(texel % side, side), y = middle(texel / side, side);
+    windows_.push_back(tile_window(x, y));
+    for (const Tower& tower : recipe.towers) {
+      const auto radius = static_cast<float>(tower.radius);
+      const float east = x - static_cast<float>(tower.center.x), north = y - static_cast<float>(tower.center.y);
+      bells_.push_back(std::exp(-(east * east + north * north) / (2 * radius * radius)));
+    }
+  }
+}
+
+// shaders/bake/shape_noise.glsl, with tower_offset of shaders/lib/shape.glsl.
+float ShapeTexels::towers_offset(std::size_t column, float height, float shape) const {
+  const std::size_t towers = recipe_.towers.size();
+  const float pushed = height / mix(0.45F, 1.3F, shape);
+  float offset = 0;
+  for (std::size_t i = 0; i < towers; ++i) {
+    const Tower& tower = recipe_.towers[i];
+    const float bell = bells_[column * towers + i];
+    const float below = std::clamp((static_cast<float>(tower.top) * bell - pushed) / 0.2F, 0.0F, 1.0F);
+    offset += static_cast<float>(tower.strength) * bell * below;
+  }
+  if (offset == 0) return 0;
+  const float base = 1 - std::exp(-50 * pushed);
+  return offset * base * windows_[column] * mix(0.35F, 1.0F, shape);
+}
+
+void ShapeTexels::shape_row(int y, float height, std::span<float> shape) const {
+  const float distribution =
+      height_distribution(height, static_cast<float>(recipe_.height_rise), static_cast<float>(recipe_.height_fall));
+  const std::size_t first_column = count(y) * shape.size();
+  for (std::size_t x = 0; x < shape.size(); ++x)
+    shape[x] = shape[x] * distribution + towers_offset(first_column + x, height, shape[x]);
+}
+
+void ShapeTexels::store(std::size_t first_texel, std::vector<std::uint8_t>& texels) const {
+  const auto& channels = recipe_.noise.channels;
+  for (std::size_t x = 0; x < rows_[0].size(); ++x) {
+    const std::size_t texel = first_texel + x;
+    if (recipe_.format == VolumeFormat::rgba8) {
+      for (std::size_t i = 0; i < 4; ++i) texels[4 * texel + i] = code(rows_[i][x]);
+      continue;
+    }
+    float modulation = 1;
+    for (std::size_t i = 1; i < 4; ++i) modulation += static_cast<float>(channels[i].weight) * (rows_[i][x] - 0.5F);
+    store_half(std::clamp(rows_[0][x], 0.0F, 1.0F) * modulation, &texels[2 * texel]);
+  }
+}
+
+void ShapeTexels::fill(int z_begin, int z_end, std::vector<std::uint8_t>& texels) {
+  const int side = recipe_.resolution;
+  texels.resize(count(side) * count(side) * count(side) * count(bytes_per_texel(recipe_.format)));
+  for (int z = z_begin; z < z_end; ++z)
+    for (int y = 0; y < side; ++y) {
+      for (std::size_t i = 0; i < 4; ++i) channels_[i].fill(middle(y, side), middle(z, side), rows_[i]);
+      shape_row(y, middle(z, side), rows_[0]);
+      store((count(z) * count(side) + count(y)) * count(side), texels);
+    }
+}
+
+// shaders/bake/detail.comp
+std::vector<std::uint8_t> detail_texels(const BakeRecipe& recipe) {
+  const int side = recipe.detail_resolution;
+  const Fbm fbm{glm::ivec3(recipe.detail_frequency), recipe.detail_octaves, 2, 0.5F};
+  WorleyRows worley(fbm, recipe.seed * 16 + 9, side);
+  const PerlinRows perlin(fbm, permutation_table(recipe.seed));
+  std::vector<float> billows(count(side)), wisps(count(side));
+  std::vector<std::uint8_t> texels;
+  for (int row = 0; row < side * side; ++row) {
+    worley.fill(middle(row % side, side), middle(row / side, side), billows);
+    perlin.fill(middle(row % side, side), middle(row / side, side), wisps);
+    for (std::size_t x = 0; x < count(side); ++x)
+      texels.insert(texels.end(), {code(stretched_worley(billows[x])), code(stretched_perlin(wisps[x])), 0, 255});
+  }
+  return texels;
+}
+
+// shaders/bake/variation.comp
+std::vector<std::uint8_t> variation_texels(const BakeRecipe& recipe) {
+  const PerlinRows perlin({glm::ivec3(4), 3, 2, 0.5F}, permutation_table(recipe.seed));
+  std::vector<std::uint8_t> texels(count(variation_resolution) * count(variation_resolution) * 8);
+  std::vector<float> row(count(variation_resolution));
+  const auto store = [&](int y, std::size_t channel, float value, std::size_t x) {
+    store_half(value, &texels[8 * (count(y) * row.size() + x) + 2 * channel]);
+  };
+  for (int y = 0; y < variation_resolution; ++y)
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+      if (channel < 3) perlin.fill(middle(y, variation_resolution), 0.1F + 0.3F * static_cast<float>(channel), row);
+      for (std::size_t x = 0; x < row.size(); ++x)
+        store(y, channel, channel < 3 ? stretch(row[x], 0.3F, 0.7F) : 1.0F, x);
+    }
+  return texels;
+}
+
+}  // namespace cloudscape::bake
