@@ -1,6 +1,7 @@
 #include "bake/in_scatter_sweep.h"
 
 #include <cmath>
+#include <future>
 
 namespace cloudscape::bake {
 namespace {
@@ -62,7 +63,37 @@ void each_point(const Group& group, int layer, auto&& use) {
 
 }  // namespace
 
-Sweeper::Sweeper(const InScatterGrid& grid) : grid_(grid), ordinates_(ordinates()) {}
+// What sweeps one group after the other, and what arrived by them.
+class Sweeper::Hand {
+ public:
+  explicit Hand(const InScatterGrid& grid) : grid_(grid) {}
+  void begin_iteration(std::size_t points) {
+    arrived_ = {};
+    arrived_.at.assign(points, Moments{});
+  }
+  void follow(const Group& group, std::span<const Moments> source, std::span<Colours> crossing);
+  const Arrived& arrived() const { return arrived_; }
+
+ private:
+  // Of one direction in the points of a layer.
+  struct Plane {
+    std::vector<Colours> radiance, source;
+  };
+  void begin(const Group& group, std::span<const Moments> source, std::span<const Colours> crossing);
+  void load(const Group& group, std::span<const Moments> source, int layer);
+  void cross(const Group& group, std::size_t number);
+  void add(const Group& group, int layer);
+
+  const InScatterGrid& grid_;
+  std::vector<Plane> now_, before_;  // by direction of a group
+  std::vector<float> extinction_, extinction_before_;
+  std::vector<Moments> moments_;  // of the layer: its sources, then what came to it
+  Arrived arrived_;
+};
+
+Sweeper::Sweeper(const InScatterGrid& grid)
+    : grid_(grid), ordinates_(ordinates()), hands_{std::make_unique<Hand>(grid), std::make_unique<Hand>(grid)} {}
+Sweeper::~Sweeper() = default;
 
 std::vector<Sweeper::Group> Sweeper::groups(const std::vector<Colours>& around) const {
   const std::array<std::size_t, 3> strides{
@@ -84,7 +115,7 @@ std::vector<Sweeper::Group> Sweeper::groups(const std::vector<Colours>& around) 
   return groups;
 }
 
-void Sweeper::begin(const Group& group, std::span<const Moments> source, std::span<const Colours> crossing) {
+void Sweeper::Hand::begin(const Group& group, std::span<const Moments> source, std::span<const Colours> crossing) {
   now_.resize(group.paths.size()), before_.resize(group.paths.size());
   for (std::vector<Plane>* planes : {&now_, &before_})
     for (Plane& plane : *planes) plane.radiance.resize(group.points()), plane.source.resize(group.points());
@@ -104,7 +135,7 @@ void Sweeper::begin(const Group& group, std::span<const Moments> source, std::sp
   extinction_before_ = extinction_;
 }
 
-void Sweeper::load(const Group& group, std::span<const Moments> source, int layer) {
+void Sweeper::Hand::load(const Group& group, std::span<const Moments> source, int layer) {
   each_point(group, layer, [&](std::size_t point, std::size_t index) {
     moments_[point] = source[index];
     extinction_[point] = grid_.extinction_per_m[index];
@@ -120,7 +151,7 @@ void Sweeper::load(const Group& group, std::span<const Moments> source, int laye
 }
 
 // Radiance in the points of a layer, from that in the layer before.
-void Sweeper::cross(const Group& group, std::size_t number) {
+void Sweeper::Hand::cross(const Group& group, std::size_t number) {
   const Path& path = group.paths[number];
   Plane& now = now_[number];
   const Plane& before = before_[number];
@@ -162,7 +193,7 @@ void Sweeper::cross(const Group& group, std::size_t number) {
 }
 
 // What has come to a layer, by all directions of the group.
-void Sweeper::add(const Group& group, int layer, Arrived& arrived) {
+void Sweeper::Hand::add(const Group& group, int layer) {
   std::fill(moments_.begin(), moments_.end(), Moments{});
   for (std::size_t i = 0; i < group.paths.size(); ++i) {
     const Ordinate& ordinate = group.paths[i].ordinate;
@@ -179,25 +210,24 @@ void Sweeper::add(const Group& group, int layer, Arrived& arrived) {
     const bool lies = group.axis == 2;  // else the lowest and the highest row of the layer count
     const auto row = [&](int height) { return lies ? 0 : static_cast<std::size_t>(height * group.counts[0]); };
     const int count = lies ? static_cast<int>(moments_.size()) : group.counts[0], top = grid_.size.z - 1;
-    if (d.z > 0 && (!lies || layer == 0)) arrived.down += flux * sum_of(radiance, row(0), count);
-    if (d.z < 0 && (!lies || layer == top)) arrived.up -= flux * sum_of(radiance, row(top), count);
+    if (d.z > 0 && (!lies || layer == 0)) arrived_.down += flux * sum_of(radiance, row(0), count);
+    if (d.z < 0 && (!lies || layer == top)) arrived_.up -= flux * sum_of(radiance, row(top), count);
   }
   each_point(group, layer, [&](std::size_t point, std::size_t index) {
-    Moments& sum = arrived.at[index];
+    Moments& sum = arrived_.at[index];
     const Moments& part = moments_[point];
     sum.even += part.even, sum.east += part.east, sum.north += part.north, sum.up += part.up;
   });
 }
 
-void Sweeper::follow(const Group& group, std::span<const Moments> source, std::span<Colours> crossing,
-                     Arrived& arrived) {
+void Sweeper::Hand::follow(const Group& group, std::span<const Moments> source, std::span<Colours> crossing) {
   begin(group, source, crossing);
   const int layers = grid_.size[group.axis];
   for (int i = 0; i < layers; ++i) {
     const int layer = group.falls ? layers - 1 - i : i;
     load(group, source, layer);
     for (std::size_t number = 0; number < group.paths.size(); ++number) cross(group, number);
-    add(group, layer, arrived);
+    add(group, layer);
     std::swap(now_, before_), std::swap(extinction_, extinction_before_);
   }
   if (group.periodic)
@@ -212,15 +242,30 @@ std::size_t Sweeper::crossing_count() const {
   return count;
 }
 
+// The same sums in the same order, however many processors there are.
 Sweeper::Arrived Sweeper::sweep(std::span<const Moments> source, const std::vector<Colours>& around,
                                 std::span<Colours> crossing) {
-  Arrived arrived;
-  arrived.at.assign(source.size(), Moments{});
-  for (const Group& group : groups(around)) {
-    if (group.paths.empty()) continue;
-    follow(group, source, crossing.first(group.crossing_count()), arrived);
-    crossing = crossing.subspan(group.crossing_count());
+  const std::vector<Group> all = groups(around);
+  const auto go = [&](bool falls) {
+    Hand& hand = *hands_[falls];
+    hand.begin_iteration(source.size());
+    std::span<Colours> rest = crossing;
+    for (const Group& group : all) {
+      if (group.falls == falls && !group.paths.empty()) hand.follow(group, source, rest.first(group.crossing_count()));
+      rest = rest.subspan(group.crossing_count());
+    }
+  };
+  const std::future<void> falling = std::async(std::launch::async, go, true);
+  go(false);
+  falling.wait();
+  Arrived arrived = hands_[0]->arrived();
+  const Arrived& other = hands_[1]->arrived();
+  for (std::size_t i = 0; i < arrived.at.size(); ++i) {
+    Moments& sum = arrived.at[i];
+    const Moments& part = other.at[i];
+    sum.even += part.even, sum.east += part.east, sum.north += part.north, sum.up += part.up;
   }
+  arrived.down += other.down, arrived.up += other.up;
   return arrived;
 }
 

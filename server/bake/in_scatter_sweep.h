@@ -1,5 +1,8 @@
-// One iteration of the discrete ordinates: what all points scatter goes along every direction through the grid.
+// One iteration of the discrete ordinates: what all points scatter goes along every direction through the grid. On two
+// threads: opposite directions do not meet.
 #pragma once
+#include <array>
+#include <memory>
 #include <span>
 
 #include "bake/in_scatter.h"
@@ -13,6 +16,7 @@ inline Colours all_of(float value) { return Colours{value, value, value, value};
 class Sweeper {
  public:
   explicit Sweeper(const InScatterGrid& grid);
+  ~Sweeper();
   struct Arrived {
     std::vector<Moments> at;  // mean radiance, and mean of radiance times direction
     Colours down{}, up{};     // flux through the lowest and through the highest layer, means over the layer
@@ -25,24 +29,14 @@ class Sweeper {
   const std::vector<Ordinate>& directions() const { return ordinates_; }
 
  private:
-  // Of one direction in the points of a layer.
-  struct Plane {
-    std::vector<Colours> radiance, source;
-  };
   struct Path;
   struct Group;
+  class Hand;
   std::vector<Group> groups(const std::vector<Colours>& around) const;
-  void follow(const Group& group, std::span<const Moments> source, std::span<Colours> crossing, Arrived& arrived);
-  void begin(const Group& group, std::span<const Moments> source, std::span<const Colours> crossing);
-  void load(const Group& group, std::span<const Moments> source, int layer);
-  void cross(const Group& group, std::size_t number);
-  void add(const Group& group, int layer, Arrived& arrived);
 
   const InScatterGrid& grid_;
   std::vector<Ordinate> ordinates_;
-  std::vector<Plane> now_, before_;  // by direction of a group
-  std::vector<float> extinction_, extinction_before_;
-  std::vector<Moments> moments_;  // of the layer: its sources, then what came to it
+  std::array<std::unique_ptr<Hand>, 2> hands_;  // for light that rises, or goes back, and for light that falls
 };
 
 }  // namespace cloudscape::bake

@@ -37,6 +37,12 @@ Texture surface_texture(const TerrainTexels& texels) {
   return texture;
 }
 
+std::vector<float> points_of(const std::vector<float>& interleaved) {
+  std::vector<float> points(interleaved.size() / 2);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = interleaved[2 * i];
+  return points;
+}
+
 TerrainBakeBlock block_of(const TerrainRecipe& recipe) {
   TerrainBakeBlock block;
   block.noise = {recipe.cells, recipe.octaves, recipe.resolution, 0};
@@ -57,6 +63,7 @@ BakedTerrain::BakedTerrain(const TerrainTexels& texels)
     : recipe_(texels.recipe),
       heights_(heights_texture(texels)),
       surface_(surface_texture(texels)),
+      points_m_(points_of(texels.heights[0])),
       lowest_m_(texels.lowest_m),
       highest_m_(texels.highest_m) {}
 

@@ -13,15 +13,17 @@ class BakedTerrain {
  public:
   explicit BakedTerrain(const TerrainTexels& texels);
   const TerrainRecipe& recipe() const { return recipe_; }
-  const gpu::Texture& heights() const { return heights_; }  // RG32F with levels, nearest; see TerrainTexels
-  const gpu::Texture& surface() const { return surface_; }  // RGBA16F with levels, linear
-  float lowest_m() const { return lowest_m_; }              // above the base
+  const gpu::Texture& heights() const { return heights_; }          // RG32F with levels, nearest; see TerrainTexels
+  const gpu::Texture& surface() const { return surface_; }          // RGBA16F with levels, linear
+  const std::vector<float>& points_m() const { return points_m_; }  // the lattice, m above the base
+  float lowest_m() const { return lowest_m_; }                      // above the base
   float highest_m() const { return highest_m_; }
   std::size_t bytes() const { return (heights_.bytes() + surface_.bytes()) * 4 / 3; }
 
  private:
   TerrainRecipe recipe_;
   gpu::Texture heights_, surface_;
+  std::vector<float> points_m_;
   float lowest_m_, highest_m_;
 };
 

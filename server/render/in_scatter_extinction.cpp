@@ -1,34 +1,46 @@
 #include "render/in_scatter_extinction.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "render/block_values.h"
 
 namespace cloudscape::render {
+namespace {
+
+constexpr int layers_per_slice = 4;  // as many as a work group has; some 30 ms on two cores
+
+}  // namespace
 
 InScatterExtinction::InScatterExtinction(gpu::ShaderLibrary& shaders)
     : pass_(shaders, "render/in_scatter_extinction.comp"), cloud_("cloud"), block_("in-scatter grid") {}
 
-bake::InScatterGrid InScatterExtinction::grid_of(const std::shared_ptr<const Cloudscape>& marched,
-                                                 const bake::BakedCloudscape& baked, const InScatterPlan& plan,
-                                                 double threshold) const {
+bool InScatterExtinction::advance(const std::shared_ptr<const Cloudscape>& marched, const bake::BakedCloudscape& baked,
+                                  const InScatterPlan& plan, InScatterGrids& grids) const {
+  if (grids.done.size() == plan.thresholds.size()) return true;
   const Volume& volume = marched->volume;
   const glm::dvec3 below = glm::dvec3(1, 1, 0) * (volume.origin_m + 0.5 * volume.size_m);
   CloudBlock cloud = cloud_block(seen_by_nobody(marched, below), baked);
-  cloud.volume.y = 0;                                                // flat
-  cloud.shape.x = static_cast<float>(threshold), cloud.shape.z = 0;  // the same everywhere
+  cloud.volume.y = 0;                                                                         // flat
+  cloud.shape.x = static_cast<float>(plan.thresholds[grids.done.size()]), cloud.shape.z = 0;  // the same everywhere
   cloud_.upload(cloud);
   cloud_.bind();
   const glm::dvec3 first = volume.origin_m + plan.first * volume.size_m - below, spacing = plan.spacing * volume.size_m;
   block_.upload({vec4(first, 0), vec4(spacing, 0), ivec4(plan.size, 0)});
   block_.bind();
-  const gpu::Texture target(gpu::Format::r32f, plan.size.x, plan.size.y, plan.size.z, "extinction");
+  if (grids.next_layer == 0)
+    grids.extinction = gpu::Texture(gpu::Format::r32f, plan.size.x, plan.size.y, plan.size.z, "extinction");
   const gpu::Binding textures[] = {{0, &baked.shape()}, {1, &baked.detail()}, {2, &baked.variation()}};
-  pass_.run(target, 0, plan.size.z, textures);
-  const std::vector<std::uint8_t> bytes = target.download();
+  const int end = std::min(grids.next_layer + layers_per_slice, plan.size.z);
+  pass_.run(grids.extinction, grids.next_layer, end, textures);
+  grids.next_layer = end;
+  if (end < plan.size.z) return false;
+  grids.next_layer = 0;
+  const std::vector<std::uint8_t> bytes = grids.extinction.download();
   bake::InScatterGrid grid{plan.size, spacing, plan.periodic, std::vector<float>(bytes.size() / sizeof(float))};
   std::memcpy(grid.extinction_per_m.data(), bytes.data(), bytes.size());
-  return grid;
+  grids.done.push_back(std::move(grid));
+  return grids.done.size() == plan.thresholds.size();
 }
 
 }  // namespace cloudscape::render

@@ -7,12 +7,20 @@
 
 namespace cloudscape::render {
 
+// The grids of a plan, one for each of its thresholds, as if that were the same everywhere; computed in slices.
+struct InScatterGrids {
+  std::vector<bake::InScatterGrid> done;
+  gpu::Texture extinction = {};  // of the next one
+  int next_layer = 0;
+};
+
 class InScatterExtinction {
  public:
   explicit InScatterExtinction(gpu::ShaderLibrary& shaders);
-  // As if the threshold were the same everywhere. `marched`: as `as_marched` makes it. Binds blocks of its own.
-  bake::InScatterGrid grid_of(const std::shared_ptr<const Cloudscape>& marched, const bake::BakedCloudscape& baked,
-                              const InScatterPlan& plan, double threshold) const;
+  // Computes the next slice, some milliseconds long; true when all are done. `marched`: as `as_marched` makes it. Binds
+  // blocks of its own.
+  bool advance(const std::shared_ptr<const Cloudscape>& marched, const bake::BakedCloudscape& baked,
+               const InScatterPlan& plan, InScatterGrids& grids) const;
 
  private:
   gpu::VolumePass pass_;

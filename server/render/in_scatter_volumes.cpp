@@ -124,8 +124,7 @@ std::shared_ptr<InScatterVolumes::Clouds> InScatterVolumes::clouds_of(const Want
   auto clouds = std::make_shared<Clouds>();
   clouds->key = key;
   clouds->plan = in_scatter_plan_of(*marched, *wanted.baked);
-  for (const double threshold : clouds->plan.thresholds)
-    clouds->grids.push_back(extinction_.grid_of(marched, *wanted.baked, clouds->plan, threshold));
+  clouds->marched = marched;
   clouds_.push_front(clouds);
   keep_first(clouds_, most_clouds);
   return clouds;
@@ -154,12 +153,14 @@ InScatterVolumes::Job* InScatterVolumes::job_of(const std::string& key) {
   return found == jobs_.end() ? nullptr : &*found;
 }
 
-// nullptr: enough is being solved.
-InScatterVolumes::Job* InScatterVolumes::start(const Question& question) {
+// nullptr: enough is being solved, or the clouds are not there yet.
+InScatterVolumes::Job* InScatterVolumes::start(const Question& question, const bake::BakedCloudscape& baked) {
   stop_the_forgotten();
-  if (jobs_.size() >= most_jobs) return nullptr;
+  Clouds& clouds = *question.clouds;
+  if (jobs_.size() >= most_jobs || !extinction_.advance(clouds.marched, baked, clouds.plan, clouds.grids))
+    return nullptr;
   std::vector<bake::InScatterProblem> levels;
-  for (const bake::InScatterGrid& grid : question.clouds->grids)
+  for (const bake::InScatterGrid& grid : clouds.grids.done)
     levels.push_back({grid, bake::scatter_moments(question.mean_cosine),
                       question.cloudscape->medium.single_scattering_albedo, question.light});
   Job& job = jobs_.emplace_back(Job{question.key, question.clouds, {}, {}, Clock::now()});
@@ -220,14 +221,15 @@ std::shared_ptr<const InScatterVolume> InScatterVolumes::find(const Wanted& want
         keep(question.key, clouds, *light);
         return clouds.newest;
       }
-      job = start(question);
+      job = start(question, *wanted.baked);
     }
   }
   if (job) job->asked = Clock::now();
   if (may_lag) return clouds.newest;
-  if (!job)
+  const bool busy = clouds.grids.done.size() < clouds.plan.thresholds.size();
+  if (!job && !busy)
     std::this_thread::sleep_for(longest_wait);
-  else if (job->result.wait_for(longest_wait) == std::future_status::ready)
+  else if (job && job->result.wait_for(longest_wait) == std::future_status::ready)
     take_results();
   return kept(question.key);
 }

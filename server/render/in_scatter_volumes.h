@@ -45,7 +45,8 @@ class InScatterVolumes {
   struct Clouds {  // what does not change with the light
     std::string key;
     InScatterPlan plan;
-    std::vector<bake::InScatterGrid> grids;         // by level
+    std::shared_ptr<const Cloudscape> marched;
+    InScatterGrids grids;                           // once light has to be solved in them
     std::shared_ptr<const InScatterVolume> newest;  // of any light
   };
   struct Question {  // what was asked for, and what that means
@@ -75,7 +76,7 @@ class InScatterVolumes {
   void take_results();
   void stop_the_forgotten();
   Job* job_of(const std::string& key);
-  Job* start(const Question& question);
+  Job* start(const Question& question, const bake::BakedCloudscape& baked);
 
   InScatterExtinction extinction_;
   bake::LightCache cache_;

@@ -132,6 +132,7 @@ bool Renderer::find_in_scatter(RenderJob& job) {
   const SkyTables::Set tables = bind_blocks(job, job.sample);
   const double g = mean_cosine(sky.medium.phase, job.phase ? job.phase->mean_asymmetry_g : 0);
   job.in_scatter = in_scatter_.find({job.request, job.baked, tables.lights, g});
+  if (!job.in_scatter) context_.finish();
   return job.in_scatter != nullptr;
 }
 

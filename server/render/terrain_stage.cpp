@@ -1,7 +1,9 @@
 #include "render/terrain_stage.h"
 
 #include <algorithm>
+#include <chrono>
 
+#include "bake/terrain_horizon.h"
 #include "render/block_values.h"
 
 namespace cloudscape::render {
@@ -10,21 +12,23 @@ namespace {
 using gpu::Binding, gpu::Format, gpu::Texture;
 
 constexpr std::size_t most_shadows = 8;  // tuned: streams that look at one terrain under suns of their own
-// tuned: about 40 ms on two cores, so that a frame rendered in between is not late.
-constexpr int points_per_slice = 1 << 17;
+constexpr auto patience = std::chrono::milliseconds(5);
 
-std::shared_ptr<Texture> shadow_map(int side) {
+std::shared_ptr<Texture> shadow_map(int side, const std::vector<float>& tangents) {
   auto texture = std::make_shared<Texture>(Format::r32f, side, side, "terrain shadows");
   texture->sample_with(gpu::Filter::linear, gpu::Wrap::repeat);
+  texture->upload({reinterpret_cast<const std::uint8_t*>(tangents.data()), tangents.size() * sizeof(float)});
   return texture;
 }
 
 }  // namespace
 
 TerrainStage::TerrainStage(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path height_maps)
-    : store_(context, shaders, std::move(height_maps)),
-      shadows_pass_(context, shaders, "render/terrain_sun.glsl", {Format::r32f}),
-      block_("terrain") {}
+    : store_(context, shaders, std::move(height_maps)), block_("terrain") {}
+
+TerrainStage::~TerrainStage() {
+  for (Shadows& each : shadows_) each.stop.request_stop();
+}
 
 bool TerrainStage::prepare(const FrameRequest& request, Land& land) {
   if (request.cloudscape->ground.kind != GroundKind::terrain || land.sun) return true;
@@ -37,30 +41,62 @@ bool TerrainStage::prepare(const FrameRequest& request, Land& land) {
   return cast_shadows(request, land);
 }
 
-bool TerrainStage::cast_shadows(const FrameRequest& request, Land& land) {
-  const std::string key = bake::terrain_key(land.terrain->recipe()) + " " +
-                          std::to_string(light_azimuth_deg(*request.cloudscape)) + " " +
-                          std::to_string(request.cloudscape->ground.water.level_m.value_or(-1));
-  auto found = std::ranges::find(shadows_, key, &Shadows::key);
+// On a thread of its own: a tenth of a second for 1024^2 points.
+TerrainStage::Shadows TerrainStage::begin_shadows(const FrameRequest& request, const Land& land,
+                                                  std::string terrain) const {
+  const double azimuth_deg = light_azimuth_deg(*request.cloudscape);
+  const TerrainBlock block = terrain_block(request, *land.terrain);
+  Shadows shadows{std::move(terrain), azimuth_deg, {}, {}, nullptr};
+  shadows.tangents = std::async(std::launch::async, [baked = land.terrain, block, stop = shadows.stop.get_token()] {
+    return bake::horizon_tangents({baked->points_m(), block.size.x, block.lattice.y, block.size.z != 0, block.rock.w,
+                                   glm::dvec2(block.sun.x, block.sun.y)},
+                                  stop);
+  });
+  return shadows;
+}
+
+// Those of the frame's sun; of light that may lag, those that are being computed: one sun after the other.
+TerrainStage::ShadowsList::iterator TerrainStage::shadows_of(const FrameRequest& request, const Land& land) {
+  const std::string terrain = bake::terrain_key(land.terrain->recipe()) + " " +
+                              std::to_string(request.cloudscape->ground.water.level_m.value_or(-1));
+  const double azimuth_deg = light_azimuth_deg(*request.cloudscape);
+  auto found = std::ranges::find_if(
+      shadows_, [&](const Shadows& each) { return each.terrain == terrain && each.azimuth_deg == azimuth_deg; });
+  if (found == shadows_.end() && request.light_may_lag)
+    found =
+        std::ranges::find_if(shadows_, [&](const Shadows& each) { return each.terrain == terrain && !each.texture; });
   if (found == shadows_.end()) {
-    if (shadows_.size() >= most_shadows) shadows_.pop_back();
-    shadows_.push_front({key, shadow_map(land.terrain->recipe().resolution)});
-    found = shadows_.begin();
+    shadows_.push_front(begin_shadows(request, land, terrain));
+    drop_oldest();
+    return shadows_.begin();
   }
   shadows_.splice(shadows_.begin(), shadows_, found);
-  const int side = found->texture->width();
-  if (found->next_row < side) {
-    block_.upload(terrain_block(request, *land.terrain));
-    block_.bind();
-    const Binding heights[] = {{11, &land.terrain->heights()}};
-    const Texture* target[] = {found->texture.get()};
-    const int rows = std::max(1, points_per_slice / side);
-    shadows_pass_.run({0, found->next_row, side, rows}, target, heights);
-    found->next_row += rows;
+  return shadows_.begin();
+}
+
+// One that is done, if there is one: others are being waited for.
+void TerrainStage::drop_oldest() {
+  if (shadows_.size() <= most_shadows) return;
+  auto oldest = std::find_if(shadows_.rbegin(), shadows_.rend(), [](const Shadows& each) { return each.texture; });
+  if (oldest == shadows_.rend()) oldest = shadows_.rbegin();
+  oldest->stop.request_stop();
+  shadows_.erase(std::prev(oldest.base()));
+}
+
+bool TerrainStage::cast_shadows(const FrameRequest& request, Land& land) {
+  Shadows& wanted = *shadows_of(request, land);
+  if (!wanted.texture) {
+    const auto newest = std::ranges::find_if(shadows_, [&](const Shadows& each) {
+      return request.light_may_lag && each.texture && each.terrain == wanted.terrain;
+    });
+    const bool lags = newest != shadows_.end();
+    if (wanted.tangents.wait_for(lags ? std::chrono::milliseconds(0) : patience) == std::future_status::ready)
+      wanted.texture = shadow_map(land.terrain->recipe().resolution, wanted.tangents.get());
+    else if (lags)
+      land.sun = newest->texture;
   }
-  if (found->next_row < side) return false;
-  land.sun = found->texture;
-  return true;
+  if (wanted.texture) land.sun = wanted.texture;
+  return land.sun != nullptr;
 }
 
 std::vector<Binding> TerrainStage::bind(const FrameRequest& request, const Land& land) {
@@ -70,10 +106,6 @@ std::vector<Binding> TerrainStage::bind(const FrameRequest& request, const Land&
   return {{11, &land.terrain->heights()}, {12, &land.terrain->surface()}, {13, land.sun.get()}};
 }
 
-void TerrainStage::reload(gpu::ShaderLibrary& shaders) {
-  store_.reload(shaders);
-  shadows_pass_.reload(shaders);
-  shadows_.clear();
-}
+void TerrainStage::reload(gpu::ShaderLibrary& shaders) { store_.reload(shaders); }
 
 }  // namespace cloudscape::render

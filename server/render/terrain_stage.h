@@ -1,8 +1,10 @@
 // The terrain of a frame: baked, with the shadows of the frame's sun, and as the scene pass wants it.
 #pragma once
 #include <filesystem>
+#include <future>
 #include <list>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "bake/terrain_store.h"
@@ -22,7 +24,11 @@ TerrainBlock terrain_block(const FrameRequest& request, const bake::BakedTerrain
 class TerrainStage {
  public:
   TerrainStage(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path height_maps);
-  // Bakes the next slice of what the frame needs; true when all is there. Throws Error for a bad height map.
+  ~TerrainStage();  // stops what is being computed
+  TerrainStage(const TerrainStage&) = delete;
+  TerrainStage& operator=(const TerrainStage&) = delete;
+  // Bakes the next slice of what the frame needs; true when all is there. A frame whose light may lag takes the shadows
+  // of a moment ago, while those of its sun are computed. Throws Error for a bad height map.
   bool prepare(const FrameRequest& request, Land& land);
   // Uploads and binds the block; the textures are for the scene pass.
   std::vector<gpu::Binding> bind(const FrameRequest& request, const Land& land);
@@ -30,15 +36,20 @@ class TerrainStage {
 
  private:
   struct Shadows {
-    std::string key;
-    std::shared_ptr<gpu::Texture> texture;
-    int next_row = 0;
+    std::string terrain;  // terrain_key, and the water's level
+    double azimuth_deg = 0;
+    std::future<std::vector<float>> tangents;
+    std::stop_source stop;
+    std::shared_ptr<gpu::Texture> texture;  // once they are there
   };
+  using ShadowsList = std::list<Shadows>;
   bool cast_shadows(const FrameRequest& request, Land& land);
+  ShadowsList::iterator shadows_of(const FrameRequest& request, const Land& land);
+  Shadows begin_shadows(const FrameRequest& request, const Land& land, std::string terrain) const;
+  void drop_oldest();
   bake::TerrainStore store_;
-  gpu::ScreenPass shadows_pass_;
   gpu::UniformBlock<TerrainBlock> block_;
-  std::list<Shadows> shadows_;  // most recently used first
+  ShadowsList shadows_;  // most recently used first
 };
 
 }  // namespace cloudscape::render

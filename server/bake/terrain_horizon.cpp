@@ -1,0 +1,142 @@
+#include "bake/terrain_horizon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cloudscape::bake {
+namespace {
+
+constexpr double planet_radius_m = 6360000;  // shaders/lib/constants.glsl
+constexpr double farthest_m = 300'000;       // beyond it the planet hides every mountain
+constexpr float no_land = -0.2F;             // lower than any sun casts a shadow
+
+// Lines along the axis that the azimuth is nearer to, in columns towards it: the lattice turned so that they go on to
+// the right and up or down.
+class Lines {
+ public:
+  explicit Lines(const HorizonProblem& problem)
+      : problem_(problem),
+        by_north_(std::abs(problem.towards.y) > std::abs(problem.towards.x)),
+        along_(by_north_ ? problem.towards.y : problem.towards.x),
+        slope_((by_north_ ? problem.towards.x : problem.towards.y) / std::abs(along_)),
+        step_m_(problem.spacing_m / std::abs(along_)) {}
+
+  double step_m() const { return step_m_; }
+  double row_of(int line, int column) const { return line + slope_ * column; }
+  int columns() const { return problem_.tiling ? static_cast<int>(farthest_m / step_m_) : problem_.side; }
+  int first() const { return problem_.tiling ? 0 : -static_cast<int>(std::ceil(std::max(0.0, rise()))) - 1; }
+  int end() const {
+    return problem_.side + (problem_.tiling ? 0 : static_cast<int>(std::ceil(std::max(0.0, -rise()))) + 1);
+  }
+  // The index of a lattice point; -1: there is none.
+  std::ptrdiff_t index(int column, int row) const {
+    const int side = problem_.side;
+    if (problem_.tiling)
+      column &= side - 1, row &= side - 1;
+    else if (row < 0 || row >= side)
+      return -1;
+    if (along_ < 0) column = side - 1 - column;
+    const auto [x, y] = by_north_ ? std::pair(row, column) : std::pair(column, row);
+    return std::ptrdiff_t{y} * side + x;
+  }
+
+ private:
+  double rise() const { return slope_ * (problem_.side - 1); }  // over the whole map
+  const HorizonProblem& problem_;
+  bool by_north_;
+  double along_, slope_, step_m_;
+};
+
+// What a line meets, from afar to near: only what something nearer does not hide from all that lies before it.
+class Hull {
+ public:
+  struct Point {
+    double x_m, z_m;
+  };
+  void clear() { points_.clear(); }
+  void push(const Point& point) {
+    while (points_.size() >= 2 && slope(point, points_[points_.size() - 2]) >= slope(point, points_.back()))
+      points_.pop_back();
+    points_.push_back(point);
+  }
+  // The steepest slope from a point before all of them; they fall off to both sides of it.
+  double steepest_from(const Point& from) const {
+    std::size_t low = 0, high = points_.size() - 1;
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      if (slope(from, points_[middle]) > slope(from, points_[middle + 1]))
+        high = middle;
+      else
+        low = middle + 1;
+    }
+    return slope(from, points_[low]);
+  }
+  bool empty() const { return points_.empty(); }
+
+ private:
+  static double slope(const Point& from, const Point& to) { return (to.z_m - from.z_m) / (to.x_m - from.x_m); }
+  std::vector<Point> points_;
+};
+
+class Horizon {
+ public:
+  explicit Horizon(const HorizonProblem& problem)
+      : problem_(problem), lines_(problem), tangents_(problem.heights_m.size(), 0.0F) {}
+
+  std::vector<float> find(const std::stop_token& stop) {
+    for (int line = lines_.first(); line < lines_.end(); ++line) {
+      if (stop.stop_requested()) return {};
+      follow(line);
+    }
+    return std::move(tangents_);
+  }
+
+ private:
+  // The planet falls away: heights above its tangent plane at the line's beginning.
+  double above_plane_m(double height_m, double x_m) const { return height_m - x_m * x_m / (2 * planet_radius_m); }
+
+  void follow(int line) {
+    hull_.clear();
+    for (int column = lines_.columns() - 1; column >= 0; --column) {
+      const double row = lines_.row_of(line, column), x_m = column * lines_.step_m();
+      const int below = static_cast<int>(std::floor(row));
+      const double share = row - below;
+      if (column < problem_.side) {
+        // The lattice points above and below the line.
+        const int above = static_cast<int>(std::ceil(row));
+        add(column, above, x_m, 1 - (above - row));
+        if (above > row) add(column, above - 1, x_m, above - row);
+      }
+      const std::ptrdiff_t low = lines_.index(column, below), high = share > 0 ? lines_.index(column, below + 1) : low;
+      if (low < 0 || high < 0) continue;
+      hull_.push({x_m, above_plane_m(std::lerp(height_m(low), height_m(high), share), x_m)});
+    }
+  }
+
+  double height_m(std::ptrdiff_t index) const { return problem_.heights_m[static_cast<std::size_t>(index)]; }
+
+  void add(int column, int row, double x_m, double share) {
+    const std::ptrdiff_t index = lines_.index(column, row);
+    if (index < 0) return;
+    double tangent = no_land;
+    if (!hull_.empty()) {
+      const double z_m = above_plane_m(std::max(height_m(index), problem_.water_m), x_m);
+      tangent = std::max(tangent, hull_.steepest_from({x_m, z_m}) + x_m / planet_radius_m);
+    }
+    tangents_[static_cast<std::size_t>(index)] += static_cast<float>(share * tangent);
+  }
+
+  const HorizonProblem& problem_;
+  Lines lines_;
+  Hull hull_;
+  std::vector<float> tangents_;
+};
+
+}  // namespace
+
+std::vector<float> horizon_tangents(const HorizonProblem& problem, std::stop_token stop) {
+  return Horizon(problem).find(stop);
+}
+
+}  // namespace cloudscape::bake
