@@ -6,6 +6,7 @@
 
 #include "bake/blocks.h"
 #include "bake/cells.h"
+#include "core/content_hash.h"
 
 namespace cloudscape::bake {
 namespace {
@@ -14,6 +15,8 @@ using gpu::Binding, gpu::Format, gpu::Texture;
 
 // tuned: more than the gap between most clouds; each of its cells is searched.
 constexpr int most_searched = 16;
+
+constexpr std::string_view magic = "cloudscape distance field 1\n";
 
 constexpr std::size_t most_kept = 3;  // fields of documents that differ in nothing but their coverage or the land
 
@@ -52,8 +55,9 @@ glm::ivec3 DistanceFieldBuilder::size_for(const BakedCloudscape& baked) const {
                   glm::ivec3(most_across_, most_across_, most_up));
 }
 
-DistanceFieldBuilder::DistanceFieldBuilder(gpu::ShaderLibrary& shaders, int most_across)
+DistanceFieldBuilder::DistanceFieldBuilder(gpu::ShaderLibrary& shaders, int most_across, KeptFiles files)
     : most_across_(most_across),
+      files_(std::move(files)),
       enclose_(shaders, "bake/structure.comp"),
       pad_(shaders, "bake/structure_pad.comp"),
       slope_(shaders, "bake/distance_slope.comp"),
@@ -130,11 +134,52 @@ void DistanceFieldBuilder::spread_squares(Work& work, int axis) const {
 }
 
 Texture DistanceFieldBuilder::field_of(Work& work) const {
-  const glm::ivec3 all(work.size.x, work.size.y, work.size.z * work.plan.levels);
+  const glm::ivec3 all = texels_of(work);
   Texture field = cells(Format::rg16f, all, "distance field");
   const Binding found[] = {{0, &work.squares}, {1, &work.slopes}};
   store_.run(field, 0, all.z, found);
   return field;
+}
+
+glm::ivec3 DistanceFieldBuilder::texels_of(const Work& work) {
+  return {work.size.x, work.size.y, work.size.z * work.plan.levels};
+}
+
+// By all that the field depends on.
+std::string DistanceFieldBuilder::name_of(const Work& work) const {
+  const DistancePlan& plan = work.plan;
+  const std::array<double, 14> values{1,  // of the shaders: raise it when they change what they make
+                                      plan.weights[0],
+                                      plan.weights[1],
+                                      plan.weights[2],
+                                      plan.size_m.x,
+                                      plan.size_m.y,
+                                      plan.size_m.z,
+                                      plan.lowest_threshold,
+                                      plan.between_levels,
+                                      double(plan.levels),
+                                      plan.threshold_fall_per_m,
+                                      double(plan.jumps),
+                                      double(work.size.x),
+                                      double(work.size.z)};
+  const std::string_view bytes(reinterpret_cast<const char*>(values.data()), sizeof values);
+  return sha256_hex(bake_key(work.baked.texels().recipe) + std::string(bytes)) + ".distance";
+}
+
+std::optional<Texture> DistanceFieldBuilder::load(const Work& work) const {
+  std::optional<Texture> field;
+  files_.load(name_of(work), magic, [&](std::string_view payload) {
+    field = cells(Format::rg16f, texels_of(work), "distance field");
+    if (payload.size() != field->bytes()) return field.reset(), false;
+    field->upload({reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size()});
+    return true;
+  });
+  return field;
+}
+
+void DistanceFieldBuilder::store(const Work& work, const Texture& field) const {
+  const std::vector<std::uint8_t> texels = field.download();
+  files_.store(name_of(work), magic, {reinterpret_cast<const char*>(texels.data()), texels.size()});
 }
 
 std::optional<Texture> DistanceFieldBuilder::next_stage(Work& work) const {
@@ -184,8 +229,12 @@ bool DistanceFieldBuilder::advance(const std::shared_ptr<const BakedCloudscape>&
     found = works_.begin();
     if (works_.size() > most_kept) works_.pop_back();
   }
-  std::optional<Texture> field = next_stage(**found);
-  if (!field) return false;
+  std::optional<Texture> field = (*found)->stage == 0 ? load(**found) : std::nullopt;
+  if (!field) {
+    field = next_stage(**found);
+    if (!field) return false;
+    store(**found, *field);
+  }
   kept_of(baked->distance_fields_, plan, most_kept, [&] { return std::move(*field); });
   works_.erase(found);
   return true;

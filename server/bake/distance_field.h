@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bake/baked_cloudscape.h"
+#include "bake/kept_files.h"
 #include "gpu/pass.h"
 
 namespace cloudscape::bake {
@@ -14,7 +15,8 @@ class DistanceFieldBuilder {
  public:
   // `most_across`: cells of a tile east and north. tuned: 128 (UHawk) let a march take a tenth less steps than 64, and
   // take four times as long to build, which matters without a GPU.
-  DistanceFieldBuilder(gpu::ShaderLibrary& shaders, int most_across);
+  // `files`: where fields are kept from run to run.
+  DistanceFieldBuilder(gpu::ShaderLibrary& shaders, int most_across, KeptFiles files = KeptFiles({}, 0));
   glm::ivec3 size_for(const BakedCloudscape& baked) const;  // cells east, north and up
   // RG16F, size_for(baked) cells, level upon level. Red: metres from any point of the cell within which no
   // shape noise is above the level's threshold, nor above what the threshold can fall to on the way; 0 in and beside
@@ -34,7 +36,12 @@ class DistanceFieldBuilder {
   void spread_squares(Work& work, int axis) const;
   gpu::Texture field_of(Work& work) const;
   std::optional<gpu::Texture> next_stage(Work& work) const;
+  static glm::ivec3 texels_of(const Work& work);
+  std::string name_of(const Work& work) const;
+  std::optional<gpu::Texture> load(const Work& work) const;
+  void store(const Work& work, const gpu::Texture& field) const;
   int most_across_;
+  KeptFiles files_;
   std::list<std::shared_ptr<Work>> works_;  // fields that are being built, the newest first
   gpu::VolumePass enclose_, pad_, slope_, slope_cells_, seed_, axis_, store_;
 };

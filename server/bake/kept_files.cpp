@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -19,10 +20,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* unfinished_suffix = ".tmp";  // and the number of the process that writes
 
+constexpr std::array<std::string_view, 5> extensions{".bake", ".phase", ".light", ".distance", ".relief"};
+
 // Whether a file of the folder is one of ours.
 bool is_kept(const fs::path& path) {
-  const fs::path extension = path.extension();
-  return extension == ".bake" || extension == ".phase" || extension == ".light";
+  const std::string extension = path.extension();
+  return std::ranges::find(extensions, extension) != extensions.end();
 }
 
 std::string read_file(const fs::path& path) {

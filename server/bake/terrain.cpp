@@ -11,6 +11,8 @@ namespace {
 
 using gpu::Filter, gpu::Format, gpu::Texture, gpu::Wrap;
 
+constexpr std::string_view magic = "cloudscape relief 1\n";
+
 // tuned: about 50 ms on two cores, so that a frame rendered in between is not late.
 constexpr int points_per_slice = 1 << 16;
 
@@ -43,6 +45,8 @@ std::vector<float> points_of(const std::vector<float>& interleaved) {
   return points;
 }
 
+std::string noise_name(const TerrainRecipe& recipe) { return terrain_key(recipe) + ".relief"; }
+
 TerrainBakeBlock block_of(const TerrainRecipe& recipe) {
   TerrainBakeBlock block;
   block.noise = {recipe.cells, recipe.octaves, recipe.resolution, 0};
@@ -67,9 +71,11 @@ BakedTerrain::BakedTerrain(const TerrainTexels& texels)
       lowest_m_(texels.lowest_m),
       highest_m_(texels.highest_m) {}
 
-TerrainJob::TerrainJob(const gpu::ScreenPass& noise, TerrainRecipe recipe, std::filesystem::path folder)
-    : noise_(noise), recipe_(std::move(recipe)), block_("terrain bake") {
+TerrainJob::TerrainJob(const gpu::ScreenPass& noise, TerrainRecipe recipe, std::filesystem::path folder,
+                       KeptFiles files)
+    : noise_(noise), recipe_(std::move(recipe)), files_(std::move(files)), block_("terrain bake") {
   if (recipe_.height_map.empty()) {
+    if (load_noise()) return;
     heights_ = Texture(Format::r32f, recipe_.resolution, recipe_.resolution, "terrain being baked");
     block_.upload(block_of(recipe_));
     return;
@@ -87,7 +93,24 @@ void TerrainJob::bake_rows() {
   noise_.run({0, next_row_, recipe_.resolution, rows}, targets, {});
   next_row_ += rows;
   if (next_row_ < recipe_.resolution) return;
-  texels_ = std::async(std::launch::async, terrain_texels, recipe_, floats_of(heights_.download()));
+  const std::vector<std::uint8_t> noise = heights_.download();
+  files_.store(noise_name(recipe_), magic, {reinterpret_cast<const char*>(noise.data()), noise.size()});
+  make_levels(floats_of(noise));
+}
+
+bool TerrainJob::load_noise() {
+  const std::size_t points =
+      static_cast<std::size_t>(recipe_.resolution) * static_cast<std::size_t>(recipe_.resolution);
+  return files_.load(noise_name(recipe_), magic, [&](std::string_view payload) {
+    if (payload.size() != points * sizeof(float)) return false;
+    make_levels(floats_of({payload.begin(), payload.end()}));
+    return true;
+  });
+}
+
+void TerrainJob::make_levels(std::vector<float> noise) {
+  next_row_ = recipe_.resolution;
+  texels_ = std::async(std::launch::async, terrain_texels, recipe_, std::move(noise));
 }
 
 bool TerrainJob::advance() {

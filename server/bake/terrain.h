@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bake/blocks.h"
+#include "bake/kept_files.h"
 #include "bake/terrain_texels.h"
 #include "gpu/pass.h"
 
@@ -27,10 +28,11 @@ class BakedTerrain {
   float lowest_m_, highest_m_;
 };
 
-// Noise is made on the device, rows at a time; files are read, and levels made, on a thread of their own.
+// Noise is made on the device, rows at a time, and kept in `files`; files are read, and levels made, on a thread of
+// their own.
 class TerrainJob {
  public:
-  TerrainJob(const gpu::ScreenPass& noise, TerrainRecipe recipe, std::filesystem::path folder);
+  TerrainJob(const gpu::ScreenPass& noise, TerrainRecipe recipe, std::filesystem::path folder, KeptFiles files);
   // Goes on with the bake, for some milliseconds; true when it is done. Throws what read_height_map throws.
   bool advance();
   double progress() const;                     // 0..1
@@ -38,8 +40,11 @@ class TerrainJob {
 
  private:
   void bake_rows();
+  bool load_noise();
+  void make_levels(std::vector<float> noise);
   const gpu::ScreenPass& noise_;
   TerrainRecipe recipe_;
+  KeptFiles files_;
   gpu::Texture heights_;
   gpu::UniformBlock<TerrainBakeBlock> block_;
   int next_row_ = 0;

@@ -20,8 +20,11 @@ void bound(Entries& entries, const std::string& key, std::size_t most) {
 
 }  // namespace
 
-TerrainStore::TerrainStore(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path folder)
-    : folder_(std::move(folder)), noise_(context, shaders, "bake/terrain.glsl", {gpu::Format::r32f}) {}
+TerrainStore::TerrainStore(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path folder,
+                           KeptFiles files)
+    : folder_(std::move(folder)),
+      files_(std::move(files)),
+      noise_(context, shaders, "bake/terrain.glsl", {gpu::Format::r32f}) {}
 
 std::shared_ptr<const BakedTerrain> TerrainStore::find(const TerrainRecipe& recipe) {
   const std::string key = terrain_key(recipe);
@@ -37,7 +40,7 @@ void TerrainStore::advance(const TerrainRecipe& recipe) {
   bound(jobs_, key, most_jobs);
   std::unique_ptr<TerrainJob>& job = jobs_[key];
   try {
-    if (!job) job = std::make_unique<TerrainJob>(noise_, recipe, folder_);
+    if (!job) job = std::make_unique<TerrainJob>(noise_, recipe, folder_, files_);
     if (!job->advance()) return;
     keep(key, job->take());
     jobs_.erase(key);

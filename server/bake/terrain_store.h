@@ -1,4 +1,4 @@
-// Baked terrains at hand: in memory, or being baked. They are quick to bake, and so not kept on disk.
+// Baked terrains at hand: in memory, or being baked. The noise of their heights is kept on disk.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -13,8 +13,8 @@ namespace cloudscape::bake {
 
 class TerrainStore {
  public:
-  // `folder`: of the height maps; empty: there are none.
-  TerrainStore(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path folder);
+  // `folder`: of the height maps; empty: there are none. `files`: where noise is kept from run to run.
+  TerrainStore(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path folder, KeptFiles files);
   TerrainRecipe recipe_of(const Cloudscape& cloudscape) const { return terrain_recipe(cloudscape, folder_); }
   // nullptr: call `advance` until it is there. Throws Error for a height map that cannot be used, again at each call
   // until the file changes.
@@ -27,6 +27,7 @@ class TerrainStore {
   void keep(const std::string& key, std::shared_ptr<const BakedTerrain> baked);
   void remember_failure(const std::string& key, const std::string& message);
   std::filesystem::path folder_;
+  KeptFiles files_;
   gpu::ScreenPass noise_;
   std::list<std::pair<std::string, std::shared_ptr<const BakedTerrain>>> entries_;  // most recently used first
   std::map<std::string, std::unique_ptr<TerrainJob>> jobs_;

@@ -23,8 +23,9 @@ std::shared_ptr<Texture> shadow_map(int side, const std::vector<float>& tangents
 
 }  // namespace
 
-TerrainStage::TerrainStage(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path height_maps)
-    : store_(context, shaders, std::move(height_maps)), block_("terrain") {}
+TerrainStage::TerrainStage(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path height_maps,
+                           const bake::KeptFiles& files)
+    : store_(context, shaders, std::move(height_maps), files), block_("terrain") {}
 
 TerrainStage::~TerrainStage() {
   for (Shadows& each : shadows_) each.stop.request_stop();

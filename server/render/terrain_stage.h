@@ -23,7 +23,8 @@ TerrainBlock terrain_block(const FrameRequest& request, const bake::BakedTerrain
 
 class TerrainStage {
  public:
-  TerrainStage(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path height_maps);
+  TerrainStage(const gpu::Context& context, gpu::ShaderLibrary& shaders, std::filesystem::path height_maps,
+               const bake::KeptFiles& files);
   ~TerrainStage();  // stops what is being computed
   TerrainStage(const TerrainStage&) = delete;
   TerrainStage& operator=(const TerrainStage&) = delete;

@@ -64,6 +64,26 @@ glm::dvec3 gap_m(const glm::ivec3& cell, const glm::ivec3& cloud) {
   return glm::dvec3(glm::max(away - 2, glm::ivec3(0))) * glm::dvec3(100, 200, 50);
 }
 
+// In another program; a file that was damaged is built anew, and each plan has one of its own.
+TEST_F(DistanceField, ComesBackFromTheDisk) {
+  const CacheFolder folder;
+  const auto built_with = [&](const DistancePlan& plan) {
+    DistanceFieldBuilder builder(shaders_, 128, KeptFiles(folder.path(), 1U << 30));
+    const auto baked = std::make_shared<const BakedCloudscape>(texels_with({{{1, 8, 6}, 255}}));
+    int stages = 1;
+    while (!builder.advance(baked, plan)) ++stages;
+    return std::pair(stages, builder.of(*baked, plan).download());
+  };
+  const auto built = built_with(plan_of(0.3, 0.6));
+  EXPECT_GT(built.first, 4);
+  EXPECT_EQ(built_with(plan_of(0.3, 0.6)), std::pair(1, built.second));
+  ASSERT_EQ(folder.files().size(), 1U);
+  std::filesystem::resize_file(folder.path() / folder.files()[0], 100);
+  EXPECT_EQ(built_with(plan_of(0.3, 0.6)), built);
+  built_with(plan_of(0.3, 0.9));
+  EXPECT_EQ(folder.files().size(), 2U);
+}
+
 // Frames of others come in between; and of two documents whose fields are built by turns neither gets the other's.
 TEST_F(DistanceField, BuiltInStagesIsTheOneBuiltAtOnce) {
   const auto staged = std::make_shared<const BakedCloudscape>(texels_with({{{1, 8, 6}, 255}}));

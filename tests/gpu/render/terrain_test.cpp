@@ -165,6 +165,31 @@ TEST_F(Terrains, CastShadowsThatEndWhereTheSunComesOverThem) {
   }
 }
 
+// A moving picture is not kept waiting by the shadows of a sun that turns, and has them once it stands.
+TEST_F(Terrains, OfMovingPicturesHaveTheShadowsOfAMomentAgo) {
+  Cloudscape sky = land("hill.exr");
+  sky.sun.elevation_deg = 15;
+  const auto seen = [&](double azimuth_deg, bool may_lag) {
+    sky.sun.azimuth_deg = azimuth_deg;
+    FrameRequest request = beams(sky, {{0, 0, 5000}, 0, -90, 0}, {64, 64}, 6000);
+    request.light_may_lag = may_lag;
+    int steps = 1;
+    const std::unique_ptr<RenderJob> job = renderer().begin(request);
+    while (!renderer().advance(*job)) ++steps;
+    const std::shared_ptr<const gpu::Texture> shadows = job->land.sun;
+    return std::pair(steps, shadows);
+  };
+  const auto first = seen(100, false), second = seen(100, true);
+  EXPECT_EQ(second.second, first.second) << "it is kept";
+  const auto turned = seen(190, true);
+  EXPECT_EQ(turned.first, second.first) << "a frame waited";
+  std::shared_ptr<const gpu::Texture> last = turned.second;
+  for (int frame = 0; frame < 1000 && last == first.second; ++frame) last = seen(190, true).second;
+  EXPECT_NE(last, first.second);
+  const auto still = seen(190, false);
+  EXPECT_EQ(still.second, last);
+}
+
 TEST_F(Terrains, HideCloudsBehindThemAndNotBeforeThem) {
   const auto seen = [&](double north_m) {
     Cloudscape sky = land("wall.exr");
@@ -252,6 +277,31 @@ TEST_F(Terrains, ThatCannotBeReadAreToldAndTheNextFrameIsRendered) {
   EXPECT_GT(red(render(beams(land("plain.exr"), {camera_m, 0, -90, 0}, {1, 1}, 1))), 0);
   folder().write_exr("none.exr", 2, 2, {0, 0, 0, 0});
   EXPECT_GT(red(render(beams(land("none.exr"), {camera_m, 0, -90, 0}, {1, 1}, 1))), 0) << "it is there now";
+}
+
+// The noise of their heights is kept on disk.
+class KeptTerrains : public OwnStackTest {};
+
+TEST_F(KeptTerrains, ComeBackInAnotherProgram) {
+  const HeightMapFolder folder;
+  const auto rendered = [&] {
+    gpu::Context context({});
+    gpu::ShaderLibrary shaders;
+    bake::BakeStore bakes(context, shaders, bake::BakeCache(folder.path(), 1 << 28), std::uint64_t{1} << 28);
+    Renderer another(context, shaders, bakes);
+    Cloudscape sky = empty_world();
+    sky.ground.kind = GroundKind::terrain;
+    sky.ground.terrain.resolution = 64;
+    return another.render(picture(sky, {{0, 0, 5000}, 0, -90, 0}, {32, 32})).radiance_rgba;
+  };
+  const auto files = [&] {
+    return std::count_if(std::filesystem::directory_iterator(folder.path()), {},
+                         [](const auto& entry) { return entry.path().extension() == ".relief"; });
+  };
+  const std::vector<float> baked = rendered();
+  EXPECT_EQ(files(), 1);
+  EXPECT_EQ(rendered(), baked);
+  EXPECT_EQ(files(), 1);
 }
 
 }  // namespace
