@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "bake/volume_file.h"
+#include "core/beside_frames.h"
 #include "core/content_hash.h"
 #include "core/error.h"
 
@@ -29,9 +30,8 @@ std::optional<std::pair<std::string, BakedTexels>> GridReader::advance(const std
   check(recipe);
   if (!texels_.valid()) {
     key_ = key, recipe_ = recipe;
-    texels_ = std::async(std::launch::async, [recipe, folder = folder_] {
-      return grid_texels(recipe, read_volume_file(folder, recipe.grid));
-    });
+    texels_ = beside_frames(
+        [recipe, folder = folder_] { return grid_texels(recipe, read_volume_file(folder, recipe.grid)); });
   }
   constexpr auto patience = std::chrono::milliseconds(10);
   if (texels_.wait_for(patience) != std::future_status::ready) return std::nullopt;

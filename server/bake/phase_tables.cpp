@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "bake/mie_phase.h"
+#include "core/beside_frames.h"
 #include "core/log.h"
 
 namespace cloudscape::bake {
@@ -86,7 +87,7 @@ void PhaseTables::start(const PhaseRecipe& recipe) {
   if (jobs_.size() >= most_jobs) return std::this_thread::sleep_for(longest_wait);
   log::info("computing the phase function of droplets of {} um", recipe.effective_radius_um);
   Job job{recipe, {}, {}, Clock::now()};
-  job.result = std::async(std::launch::async, [recipe, token = job.stop.get_token()] {
+  job.result = beside_frames([recipe, token = job.stop.get_token()] {
     return mie_phase_table(recipe, {.threads = threads_beside_frames()}, token);
   });
   jobs_.push_back(std::move(job));

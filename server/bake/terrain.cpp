@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "bake/height_map.h"
+#include "core/beside_frames.h"
 
 namespace cloudscape::bake {
 namespace {
@@ -81,7 +82,7 @@ TerrainJob::TerrainJob(const gpu::ScreenPass& noise, TerrainRecipe recipe, std::
     return;
   }
   next_row_ = recipe_.resolution;
-  texels_ = std::async(std::launch::async, [recipe = recipe_, folder = std::move(folder)] {
+  texels_ = beside_frames([recipe = recipe_, folder = std::move(folder)] {
     return terrain_texels(recipe, resampled(read_height_map(folder, recipe.height_map), recipe.resolution));
   });
 }
@@ -110,7 +111,8 @@ bool TerrainJob::load_noise() {
 
 void TerrainJob::make_levels(std::vector<float> noise) {
   next_row_ = recipe_.resolution;
-  texels_ = std::async(std::launch::async, terrain_texels, recipe_, std::move(noise));
+  texels_ = beside_frames(
+      [recipe = recipe_, noise = std::move(noise)]() mutable { return terrain_texels(recipe, std::move(noise)); });
 }
 
 bool TerrainJob::advance() {

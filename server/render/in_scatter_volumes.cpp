@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <thread>
 
+#include "core/beside_frames.h"
 #include "core/content_hash.h"
 #include "core/wind.h"
 #include "render/block_values.h"
@@ -164,12 +165,12 @@ InScatterVolumes::Job* InScatterVolumes::start(const Question& question, const b
     levels.push_back({grid, bake::scatter_moments(question.mean_cosine),
                       question.cloudscape->medium.single_scattering_albedo, question.light});
   Job& job = jobs_.emplace_back(Job{question.key, question.clouds, {}, {}, Clock::now()});
-  job.result = std::async(std::launch::async, [levels = std::move(levels), stop = job.stop.get_token(), cache = cache_,
-                                               key = question.key] {
-    auto light = solve(levels, stop);
-    if (light) cache.store(key, *light);
-    return light;
-  });
+  job.result =
+      beside_frames([levels = std::move(levels), stop = job.stop.get_token(), cache = cache_, key = question.key] {
+        auto light = solve(levels, stop);
+        if (light) cache.store(key, *light);
+        return light;
+      });
   return &job;
 }
 

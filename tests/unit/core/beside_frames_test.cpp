@@ -1,0 +1,24 @@
+#include "core/beside_frames.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <thread>
+
+namespace cloudscape {
+namespace {
+
+int niceness() { return getpriority(PRIO_PROCESS, static_cast<id_t>(gettid())); }
+
+TEST(BesideFrames, WorkYieldsAndSoDoesWhatItStarts) {
+  const int own = niceness();
+  auto seen = beside_frames([] { return std::pair(niceness(), std::async(std::launch::async, niceness).get()); });
+  const auto [worker, started] = seen.get();
+  EXPECT_GT(worker, own);
+  EXPECT_EQ(started, worker);
+  EXPECT_EQ(niceness(), own) << "who asked does not yield";
+}
+
+}  // namespace
+}  // namespace cloudscape
