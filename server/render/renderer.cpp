@@ -75,6 +75,7 @@ std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
     job->resolved = resolver_.begin(job->request);
     job->request = marched_request(job->request, job->resolved->plan);
     job->sample = job->last_sample = marched_sample(job->resolved->plan, job->resolved->frame);
+    if (request.light_may_lag) job->turn = job->resolved->frame % 2 ? LaggingTurn::water : LaggingTurn::shadows;
     return job;
   }
   resolver_.outdate(request);
@@ -138,7 +139,9 @@ bool Renderer::find_in_scatter(RenderJob& job) {
 
 // The clouds' shadows.
 bool Renderer::find_sun_depth(RenderJob& job) {
-  if (job.sun_depth || sun_depths_.prepare({job.request, cloud_values(job), job.baked}, job.sun_depth)) return true;
+  const bool rests = job.turn == LaggingTurn::water;
+  if (job.sun_depth || sun_depths_.prepare({job.request, cloud_values(job), job.baked, rests}, job.sun_depth))
+    return true;
   context_.finish();
   return false;
 }
@@ -174,8 +177,9 @@ Passes::Medium Renderer::medium_of(const RenderJob& job) {
 bool Renderer::find_water(RenderJob& job) {
   if (!has_water(*job.request.cloudscape)) return true;
   const CloudBlock cloud = cloud_values(job);
-  const bool found =
-      water_.prepare({job.request, cloud, medium_of(job), job.in_scatter, job.sun_depth, passes_, sky_}, job.water);
+  const bool found = water_.prepare({job.request, cloud, medium_of(job), job.in_scatter, job.sun_depth, passes_, sky_,
+                                     job.turn == LaggingTurn::shadows},
+                                    job.water);
   if (!found) context_.finish();
   return found;
 }

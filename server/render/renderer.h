@@ -24,6 +24,9 @@
 
 namespace cloudscape::render {
 
+// Whose slice a moving frame bakes where the light changes: frames that do the one take the other as it was.
+enum class LaggingTurn { both, shadows, water };
+
 // A frame that is being rendered.
 struct RenderJob {
   FrameRequest request;
@@ -34,6 +37,7 @@ struct RenderJob {
   std::optional<bake::DistancePlan> distances;        // of the distance field, where the march has one
   Land land;
   WaterView water;
+  LaggingTurn turn = LaggingTurn::both;
   std::unique_ptr<Targets> targets;
   int sample = 0, last_sample = 0;        // indices in the average
   int row = 0;                            // of the march target, next to render

@@ -106,7 +106,8 @@ bool SunDepths::prepare(const Wanted& wanted, std::shared_ptr<const Texture>& de
   if (depth || !casts_shadows(wanted.cloud, *wanted.request.cloudscape)) return true;
   Clouds& clouds = clouds_of(wanted);
   Lit& lit = lit_of(clouds, wanted);
-  if (!is_done(lit.next_layer, *lit.depth)) bake_slice(wanted.cloud, clouds, lit);
+  const bool rests = wanted.rests && clouds.newest;
+  if (!rests && !is_done(lit.next_layer, *lit.depth)) bake_slice(wanted.cloud, clouds, lit);
   if (is_done(lit.next_layer, *lit.depth))
     depth = lit.depth;
   else if (wanted.request.light_may_lag)

@@ -22,6 +22,7 @@ class SunDepths {
     const FrameRequest& request;
     const CloudBlock& cloud;  // of the request
     std::shared_ptr<const bake::BakedCloudscape> baked;
+    bool rests = false;  // takes the last that is done, if one is, and bakes nothing
   };
   // Bakes the next slice of what the frame needs; true when `depth` is there, or nothing casts a shadow. Binds blocks
   // of its own.

@@ -140,7 +140,8 @@ bool WaterStage::prepare(const Scene& scene, WaterView& view) {
   }
   if (!has_clouds(scene.cloud)) return true;
   Entry& entry = entry_of(scene);
-  if (entry.targets) render_slice(scene, entry);
+  const bool rests = scene.rests && newest_like(entry);
+  if (entry.targets && !rests) render_slice(scene, entry);
   if (!entry.targets)
     view.panorama = entry.panorama;
   else if (scene.request.light_may_lag)
