@@ -37,8 +37,10 @@ bool TerrainStage::prepare(const FrameRequest& request, Land& land) {
   if (!land.terrain) {
     const bake::TerrainRecipe recipe = store_.recipe_of(*request.cloudscape);
     land.terrain = store_.find(recipe);
-    if (!land.terrain) store_.advance(recipe);
-    return false;
+    if (!land.terrain) {
+      store_.advance(recipe);
+      return false;
+    }
   }
   return cast_shadows(request, land);
 }

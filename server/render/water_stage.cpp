@@ -67,6 +67,7 @@ WaterStage::WaterStage(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       cloud_block_("cloud above the water"),
       block_("water") {}
 
+// Clouds in light that may lag are rendered one light after the other, each to its end.
 WaterStage::Entry& WaterStage::entry_of(const Scene& scene) {
   const FrameRequest& request = scene.request;
   const double altitude_m = clouds_above_m(request, scene.cloud);
@@ -77,6 +78,11 @@ WaterStage::Entry& WaterStage::entry_of(const Scene& scene) {
            (entry.cloudscape == request.cloudscape || *entry.cloudscape == *request.cloudscape);
   };
   auto found = std::ranges::find_if(entries_, same);
+  if (found == entries_.end() && request.light_may_lag) {
+    found = std::ranges::find_if(
+        entries_, [&](const Entry& entry) { return entry.targets && is_of_clouds(entry, *request.cloudscape); });
+    if (found != entries_.end()) found->in_scatter.reset(), found->sun_depth.reset();  // of more lights than one
+  }
   if (found == entries_.end()) {
     ++panoramas_made_;
     entries_.push_front({request.cloudscape, request.march, scene.in_scatter, scene.sun_depth,
@@ -118,12 +124,14 @@ void WaterStage::render_slice(const Scene& scene, Entry& entry) {
   entry.targets.reset();
 }
 
-// Of the same clouds in whatever light, from wherever.
+// In whatever light, from wherever.
+bool WaterStage::is_of_clouds(const Entry& entry, const Cloudscape& sky) {
+  return entry.cloudscape->volume == sky.volume && entry.cloudscape->shape == sky.shape;
+}
+
 std::shared_ptr<const CloudPanorama> WaterStage::newest_like(const Entry& entry) const {
   for (const Entry& other : entries_)
-    if (!other.targets && other.cloudscape->volume == entry.cloudscape->volume &&
-        other.cloudscape->shape == entry.cloudscape->shape)
-      return other.panorama;
+    if (!other.targets && is_of_clouds(other, *entry.cloudscape)) return other.panorama;
   return nullptr;
 }
 

@@ -65,6 +65,7 @@ class WaterStage {
   Entry& entry_of(const Scene& scene);
   void drop_oldest();
   void render_slice(const Scene& scene, Entry& entry);
+  static bool is_of_clouds(const Entry& entry, const Cloudscape& sky);
   std::shared_ptr<const CloudPanorama> newest_like(const Entry& entry) const;
 
   gpu::ScreenPass gather_;
