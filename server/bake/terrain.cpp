@@ -120,7 +120,7 @@ bool TerrainJob::advance() {
     bake_rows();
     return false;
   }
-  constexpr auto patience = std::chrono::milliseconds(10);
+  constexpr auto patience = std::chrono::milliseconds(1);  // the clouds may have something to do
   if (texels_.wait_for(patience) != std::future_status::ready) return false;
   baked_ = std::make_shared<const BakedTerrain>(texels_.get());
   return true;

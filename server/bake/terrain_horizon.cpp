@@ -9,6 +9,7 @@ namespace {
 
 constexpr double planet_radius_m = 6360000;  // shaders/lib/constants.glsl
 constexpr double farthest_m = 300'000;       // beyond it the planet hides every mountain
+constexpr double sun_disc = 0.0093;          // its width, radians
 constexpr float no_land = -0.2F;             // lower than any sun casts a shadow
 
 // Lines along the axis that the azimuth is nearer to, in columns towards it: the lattice turned so that they go on to
@@ -24,6 +25,9 @@ class Lines {
 
   double step_m() const { return step_m_; }
   double row_of(int line, int column) const { return line + slope_ * column; }
+  // How many columns the next one lies before `column`. Far away a peak that is narrower than half the shadow's soft
+  // edge, which the sun's disc (0.0093 radians) makes, hides nothing.
+  int stride_at(int column) const { return std::max(1, static_cast<int>(0.5 * sun_disc * (column - problem_.side))); }
   int columns() const { return problem_.tiling ? static_cast<int>(farthest_m / step_m_) : problem_.side; }
   int first() const { return problem_.tiling ? 0 : -static_cast<int>(std::ceil(std::max(0.0, rise()))) - 1; }
   int end() const {
@@ -98,7 +102,7 @@ class Horizon {
 
   void follow(int line) {
     hull_.clear();
-    for (int column = lines_.columns() - 1; column >= 0; --column) {
+    for (int column = lines_.columns() - 1; column >= 0; column -= lines_.stride_at(column)) {
       const double row = lines_.row_of(line, column), x_m = column * lines_.step_m();
       const int below = static_cast<int>(std::floor(row));
       const double share = row - below;

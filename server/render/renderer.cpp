@@ -87,13 +87,12 @@ std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
 
 bool Renderer::advance(RenderJob& job) {
   const auto start = Clock::now();
+  const bool has_land = terrain_.prepare(job.request, job.land);  // the clouds are prepared beside it
+  if (!has_land) context_.finish();
   if (!find_baked(job)) return false;
-  if (!terrain_.prepare(job.request, job.land)) {
-    context_.finish();
+  if (job.request.quality.technique == Technique::path_tracing) return has_land && advance_trace(job);
+  if (!find_distances(job) || !find_in_scatter(job) || !find_sun_depth(job) || !find_water(job) || !has_land)
     return false;
-  }
-  if (job.request.quality.technique == Technique::path_tracing) return advance_trace(job);
-  if (!find_distances(job) || !find_in_scatter(job) || !find_sun_depth(job) || !find_water(job)) return false;
   if (!job.targets) {
     const bool by_tiles = job.resolved && context_.device().software;
     const RayPlaces places = by_tiles ? RayPlaces::over_tiles : RayPlaces::first;

@@ -13,7 +13,7 @@ namespace {
 using gpu::Binding, gpu::Format, gpu::Texture;
 
 constexpr std::size_t most_shadows = 8;  // tuned: streams that look at one terrain under suns of their own
-constexpr auto patience = std::chrono::milliseconds(5);
+constexpr auto patience = std::chrono::milliseconds(1);  // the clouds may have something to do
 
 std::shared_ptr<Texture> shadow_map(int side, const std::vector<float>& tangents) {
   auto texture = std::make_shared<Texture>(Format::r32f, side, side, "terrain shadows");
