@@ -1,63 +1,11 @@
 #include "bake/baker.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "bake/permutation.h"
 
 namespace cloudscape::bake {
 namespace {
 
-using gpu::Binding, gpu::Format, gpu::Texture;
-
-Texture table(const std::vector<float>& values, Format format, int width, const char* label) {
-  Texture texture(format, width, 1, label);
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(values.data());
-  texture.upload({bytes, values.size() * sizeof(float)});
-  return texture;
-}
-
-Texture permutation_texture(std::uint32_t seed) {
-  const auto permutation = permutation_table(seed);
-  return table({permutation.begin(), permutation.end()}, Format::r32f, 256, "permutation");
-}
-
-Texture tower_texture(const std::vector<Tower>& towers) {
-  std::vector<float> texels(8 * std::max<std::size_t>(1, towers.size()), 0.0F);
-  for (std::size_t i = 0; i < towers.size(); ++i) {
-    const Tower& tower = towers[i];
-    const double values[] = {tower.center.x, tower.center.y, tower.radius, tower.top, tower.strength};
-    std::transform(std::begin(values), std::end(values), texels.begin() + static_cast<std::ptrdiff_t>(8 * i),
-                   [](double value) { return static_cast<float>(value); });
-  }
-  return table(texels, Format::rgba32f, static_cast<int>(texels.size() / 4), "towers");
-}
-
-// Whole cells up as well, so that the noise tiles in all three directions.
-ivec4 lattice_of(const NoiseChannel& channel, double height_over_width) {
-  const int up = std::clamp(static_cast<int>(std::lround(channel.frequency * height_over_width)), 1, 256);
-  return {channel.frequency, channel.octaves, channel.lacunarity, up};
-}
-vec4 blend_of(const NoiseChannel& channel) { return {channel.worley_mix, channel.gain, channel.weight, 0}; }
-
-BakeBlock block_of(const BakeRecipe& recipe) {
-  const auto& channels = recipe.noise.channels;
-  BakeBlock block;
-  block.channel_0 = lattice_of(channels[0], recipe.height_over_width), block.mix_0 = blend_of(channels[0]);
-  block.channel_1 = lattice_of(channels[1], recipe.height_over_width), block.mix_1 = blend_of(channels[1]);
-  block.channel_2 = lattice_of(channels[2], recipe.height_over_width), block.mix_2 = blend_of(channels[2]);
-  block.channel_3 = lattice_of(channels[3], recipe.height_over_width), block.mix_3 = blend_of(channels[3]);
-  block.profile = {recipe.height_rise, recipe.height_fall, recipe.towers.size(), 0};
-  block.seed = {recipe.seed, 0, 0, 0};
-  block.size = ivec4(recipe.resolution);
-  block.detail = {recipe.detail_frequency, recipe.detail_octaves, recipe.detail_resolution, 0};
-  return block;
-}
-
-// tuned: about 50 ms on two cores, so that a frame rendered in between is not late.
-constexpr int texels_per_slab = 128 * 128 * 4;
-
-int slab_of(int resolution) { return std::clamp(texels_per_slab / (resolution * resolution), 4, resolution); }
+using gpu::Binding, gpu::Format;
 
 }  // namespace
 
@@ -65,37 +13,46 @@ Baker::Baker(gpu::ShaderLibrary& shaders)
     : shape_(shaders, "bake/shape.comp"),
       mixed_(shaders, "bake/shape_mixed.comp"),
       detail_(shaders, "bake/detail.comp"),
-      variation_(shaders, "bake/variation.comp") {}
+      variation_(shaders, "bake/variation.comp"),
+      layers_(shaders) {}
 
 BakeJob::BakeJob(const Baker& baker, BakeRecipe recipe)
     : baker_(baker),
       recipe_(std::move(recipe)),
-      shape_(shape_texture_format(recipe_.format), recipe_.resolution, recipe_.resolution, recipe_.resolution,
-             "shape being baked"),
       detail_(Format::rgba8, recipe_.detail_resolution, recipe_.detail_resolution, recipe_.detail_resolution,
               "detail being baked"),
       variation_(Format::rgba16f, variation_resolution, variation_resolution, 1, "variation being baked"),
-      permutation_(permutation_texture(recipe_.seed)),
-      towers_(tower_texture(recipe_.towers)),
+      inputs_(recipe_),
       block_("bake") {
-  block_.upload(block_of(recipe_));
+  block_.upload(bake_block(recipe_));
+  if (recipe_.layers.empty())
+    shape_ = gpu::Texture(shape_texture_format(recipe_.format), recipe_.resolution, recipe_.resolution,
+                          recipe_.resolution, "shape being baked");
+  else
+    layers_.emplace(baker.layers_, recipe_);
 }
 
 bool BakeJob::advance() {
   block_.bind();
-  const Binding textures[] = {{0, &permutation_}, {1, &towers_}};
-  if (next_z_ == 0) {
+  const Binding textures[] = {{0, &inputs_.permutation}, {1, &inputs_.towers}};
+  if (!begun_) {
     baker_.detail_.run(detail_, 0, recipe_.detail_resolution, textures);
     baker_.variation_.run(variation_, 0, 1, textures);
+    begun_ = true;
   }
-  const int end = std::min(next_z_ + std::min(slab_of(recipe_.resolution), recipe_.resolution), recipe_.resolution);
-  (recipe_.format == VolumeFormat::r16f ? baker_.mixed_ : baker_.shape_).run(shape_, next_z_, end, textures);
+  if (layers_) return layers_->advance();
+  const int end = std::min(next_z_ + slab_of(recipe_.resolution), recipe_.resolution);
+  (recipe_.format == ShapeFormat::r16f ? baker_.mixed_ : baker_.shape_).run(shape_, next_z_, end, textures);
   next_z_ = end;
   return next_z_ >= recipe_.resolution;
 }
 
-double BakeJob::progress() const { return static_cast<double>(next_z_) / recipe_.resolution; }
+double BakeJob::progress() const {
+  return layers_ ? layers_->progress() : static_cast<double>(next_z_) / recipe_.resolution;
+}
 
-BakedTexels BakeJob::texels() const { return {recipe_, shape_.download(), detail_.download(), variation_.download()}; }
+BakedTexels BakeJob::texels() const {
+  return {recipe_, (layers_ ? layers_->shape() : shape_).download(), detail_.download(), variation_.download()};
+}
 
 }  // namespace cloudscape::bake

@@ -1,7 +1,10 @@
 // Bakes noise into textures on the device, slab by slab, so that frames can be rendered in between.
 #pragma once
+#include <optional>
+
 #include "bake/baked_cloudscape.h"
-#include "bake/blocks.h"
+#include "bake/layer_job.h"
+#include "bake/noise_inputs.h"
 #include "gpu/pass.h"
 
 namespace cloudscape::bake {
@@ -13,6 +16,7 @@ class Baker {
  private:
   friend class BakeJob;
   gpu::VolumePass shape_, mixed_, detail_, variation_;
+  LayerPasses layers_;
 };
 
 class BakeJob {
@@ -25,8 +29,11 @@ class BakeJob {
  private:
   const Baker& baker_;
   BakeRecipe recipe_;
-  gpu::Texture shape_, detail_, variation_, permutation_, towers_;
+  gpu::Texture shape_, detail_, variation_;
+  NoiseInputs inputs_;
   gpu::UniformBlock<BakeBlock> block_;
+  std::optional<LayerJob> layers_;  // which bakes the shape where there are several
+  bool begun_ = false;
   int next_z_ = 0;
 };
 

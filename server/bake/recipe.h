@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bake/grid_recipe.h"
+#include "bake/layer_recipe.h"
 #include "core/bake_size.h"
 #include "core/cloudscape.h"
 
@@ -14,13 +15,14 @@ struct BakeRecipe {
   int version = 3;  // of the baking shaders: raise it when they change what they make
   std::uint32_t seed = 1;
   int resolution = 128;
-  VolumeFormat format = VolumeFormat::rgba8;
+  ShapeFormat format = ShapeFormat::rgba8;
   double height_over_width = 0.2;  // of the volume: cells of the noise are about as high as wide
   Noise noise;                     // of rgba8 the weights are 1: they matter to the march, not to the bake
   double height_rise = 50, height_fall = 4;
   std::vector<Tower> towers;
   int detail_resolution = 32, detail_frequency = 4, detail_octaves = 3;
-  GridRecipe grid;  // of a volume from a file, which needs nothing of the above but the format
+  std::vector<LayerRecipe> layers;  // of a layered volume, in place of the noise, heights and towers above
+  GridRecipe grid;                  // of a volume from a file, which needs nothing of the above but the format
   bool operator==(const BakeRecipe&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -36,6 +38,7 @@ struct BakeRecipe {
     visit("detail_resolution", self.detail_resolution, Limits{}, "");
     visit("detail_frequency", self.detail_frequency, Limits{}, "");
     visit("detail_octaves", self.detail_octaves, Limits{}, "");
+    if (!self.layers.empty()) visit("layers", self.layers, Limits{}, "");  // else keys are what they were without any
     visit("grid", self.grid, Limits{}, "");
   }
 };

@@ -131,7 +131,7 @@ TEST(SliceAtlas, HoldsAVolumeOfHalves) {
     texels.push_back(static_cast<std::uint8_t>(value.bits() & 0xff));
     texels.push_back(static_cast<std::uint8_t>(value.bits() >> 8));
   }
-  const std::vector<std::uint8_t> exr = encode::slice_atlas_exr(texels, 3, 2, {}, VolumeFormat::r16f);
+  const std::vector<std::uint8_t> exr = encode::slice_atlas_exr(texels, 3, 2, {}, ShapeFormat::r16f);
   Bytes bytes(exr);
   Imf::InputFile file(bytes);
   ASSERT_EQ(file.header().dataWindow().max.x, 5);
@@ -150,7 +150,7 @@ TEST(SliceAtlas, HoldsAVolumeOfHalves) {
 TEST(SliceAtlas, RefusesAVolumeOfAnotherSize) {
   EXPECT_THROW(encode::slice_atlas_exr(volume(4, 4), 4, 5, {}), Error);
   EXPECT_THROW(encode::slice_atlas_exr({}, 1, 1, {}), Error);
-  EXPECT_THROW(encode::slice_atlas_exr(volume(4, 4), 4, 4, {}, VolumeFormat::r16f), Error);
+  EXPECT_THROW(encode::slice_atlas_exr(volume(4, 4), 4, 4, {}, ShapeFormat::r16f), Error);
 }
 
 }  // namespace
