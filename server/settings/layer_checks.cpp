@@ -16,7 +16,7 @@ struct Span {
 void check_altitude(const std::optional<double>& altitude_m, const Span& volume, const std::string& pointer) {
   if (!altitude_m || (*altitude_m >= volume.bottom_m && *altitude_m <= volume.top_m)) return;
   refuse(pointer, *altitude_m,
-         "within the volume, whose altitudes are " + number_text(volume.bottom_m) + " to " + number_text(volume.top_m) +
+         "an altitude of the volume, from " + number_text(volume.bottom_m) + " to " + number_text(volume.top_m) +
              " m (volume.origin_m, volume.size_m)");
 }
 

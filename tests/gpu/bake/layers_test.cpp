@@ -26,6 +26,7 @@ Cloudscape three_layers() {
   for (NoiseChannel& channel : sky.noise.channels) channel.frequency = 4, channel.octaves = 2;
   sky.shape.top_m = 2500;
   sky.shape.coverage = 0.4;
+  sky.shape.height_fall = 1;
   sky.layers = {Layer{}, Layer{}};
   sky.layers[0].bottom_m = 3500, sky.layers[0].top_m = 4000;
   sky.layers[0].coverage = 0.7, sky.layers[0].density = 0.25;
@@ -66,22 +67,22 @@ class Layers : public BakeTest {
   std::vector<Texel> baked_layers(const Cloudscape& sky) { return texels_of(bake(bake_recipe(sky)).shape); }
 };
 
-constexpr double column = 1.0 / (side * side);
+constexpr double ties = 0.01;  // columns whose maxima are one of 16 bits with the threshold's
 
 TEST_F(Layers, AreEachBetweenTheirAltitudesWithTheirCoverage) {
   const Cloudscape sky = three_layers();
   const std::vector<Texel> texels = baked_layers(sky);
   ASSERT_EQ(texels.size(), std::size_t{side} * side * side);
-  EXPECT_NEAR(coverage_of(texels, 20, 24), 0.7, 2 * column);
+  EXPECT_NEAR(coverage_of(texels, 20, 24), 0.7, ties);
   EXPECT_EQ(coverage_of(texels, 12, 20), 0);
   EXPECT_EQ(coverage_of(texels, 24, side), 0);
   Cloudscape heaps = sky, shreds = sky;
   heaps.layers.clear();
   shreds.shape.coverage = 0;
-  EXPECT_NEAR(coverage_of(baked_layers(heaps), 0, 12), 0.4, 2 * column);
+  EXPECT_NEAR(coverage_of(baked_layers(heaps), 0, 12), 0.4, ties);
   EXPECT_EQ(coverage_of(baked_layers(heaps), 12, side), 0);
-  EXPECT_NEAR(coverage_of(baked_layers(shreds), 2, 6), 0.2, 2 * column);
-  EXPECT_NEAR(coverage_of(baked_layers(shreds), 0, 12), 0.2, 2 * column) << "and nowhere else";
+  EXPECT_NEAR(coverage_of(baked_layers(shreds), 2, 6), 0.2, ties);
+  EXPECT_NEAR(coverage_of(baked_layers(shreds), 0, 12), 0.2, ties) << "and nowhere else";
 }
 
 // What is added takes nothing away, and the union is no more than both.
@@ -186,7 +187,7 @@ TEST_F(Layers, AreWithinTheirBounds) {
     ASSERT_GE(fine[at + 1], own[static_cast<std::size_t>(i)].density - 1e-6);
     loose += fine[at + 1] > 0.9 ? 1 : 0;
   }
-  EXPECT_LT(loose, 0.6 * side * side * side) << "a bound of 1 everywhere makes thin clouds dear";
+  EXPECT_LT(loose, 0.7 * side * side * side) << "a bound of 1 everywhere makes thin clouds dear";
 }
 
 }  // namespace
