@@ -100,6 +100,29 @@ TEST_F(SeveralLayers, ChangeTheirCoverageOverTheLand) {
   EXPECT_GT(difference, 0.3);
 }
 
+// The same clouds, but for the steps of the numbers that they are kept in.
+TEST_F(SeveralLayers, OfWhichThereIsOneInAllOfTheVolumeAreThatOne) {
+  Cloudscape sky = small_clouds();
+  sky.volume.resolution = 64;
+  sky.volume.format = VolumeFormat::r16f;
+  sky.shape.coverage = 0.4;
+  for (const std::optional<double> threshold : {std::optional<double>{}, {0.45}}) {
+    sky.shape.threshold = threshold;
+    Cloudscape layered = sky;
+    layered.shape.top_m = 3000;
+    for (const double elevation_deg : {20.0, 60.0}) {
+      const CameraPose pose{{0, 0, 100}, 20, elevation_deg, 0};
+      const Frame a = render(picture(sky, pose, {24, 16})), b = render(picture(layered, pose, {24, 16}));
+      double difference = 0, light = 0;
+      for (int i = 0; i < 24 * 16; ++i)
+        difference += std::abs(opacity(a, i) - opacity(b, i)), light += std::abs(red(a, i) - red(b, i)) / red(a, i);
+      EXPECT_LT(difference / (24 * 16), 0.01);
+      EXPECT_LT(light / (24 * 16), 0.02);
+      EXPECT_GT(mean_opacity(b), 0.02);
+    }
+  }
+}
+
 TEST_F(SeveralLayers, AreTheSameTwice) {
   const FrameRequest request = picture(layered_clouds(), {{0, 0, 100}, 20, 40, 0}, {24, 16});
   const Frame first = render(request), second = render(request);
