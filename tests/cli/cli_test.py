@@ -319,7 +319,7 @@ class Bake(CliTest):
         self.assertEqual([row[:2] for row in rows], [["rg16f", "16x16x16"]])
         self.assertEqual((self.folder / "baked" / "shape.exr").read_bytes()[:4], MAGIC["exr"])
         low = self.write("low.json", '{"layers": [{"bottom_m": 10}]}')
-        self.assert_one_sentence(self.run_program("bake", low), 1, "low.json#/layers/0/bottom_m is 10: must be an altitude")
+        self.assert_one_sentence(self.run_program("bake", low), 2, "low.json#/layers/0/bottom_m is 10: must be an altitude")
 
     def test_verbose_tells_what_each_format_costs(self):
         result = self.run_program("bake", self.sky, "--verbose")
