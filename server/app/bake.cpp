@@ -75,8 +75,9 @@ void add_bake(CLI::App& program, Run& run) {
       ->add_option("--vdb-up", options->vdb.up, "Upward axis: z, as in Blender (x east, y north), or y, as in Houdini")
       ->capture_default_str()
       ->check(CLI::IsMember({"y", "z"}));
-  command->add_flag("--verbose", options->verbose,
-                    "Bake in both volume formats and tell what each costs: texels, bytes, times");
+  command->add_flag(
+      "--verbose", options->verbose,
+      "Bake in both volume formats (several layers: in theirs) and tell what each costs: texels, bytes, times");
   add_gpu_options(*command, options->gpu);
   command->callback([options, &run] { run = [options] { return run_bake(*options); }; });
 }

@@ -75,7 +75,8 @@ void print_bake_costs(GpuStack& stack, const GpuOptions& options, const Cloudsca
   const VolumeFormat own = cloudscape.volume.format;
   const VolumeFormat other = own == VolumeFormat::r16f ? VolumeFormat::rgba8 : VolumeFormat::r16f;
   std::printf("%-8s %-14s %14s %14s %10s %10s\n", "format", "texels", "device bytes", "disk bytes", "bake s", "load s");
-  for (const VolumeFormat format : {own, other}) print(cost_of(stack, cloudscape, format, keep));
+  print(cost_of(stack, cloudscape, own, keep));
+  if (!is_layered(cloudscape)) print(cost_of(stack, cloudscape, other, keep));
 }
 
 }  // namespace cloudscape::app

@@ -10,16 +10,19 @@ namespace {
 
 using gpu::Filter, gpu::Format, gpu::Texture, gpu::Wrap;
 
-Texture uploaded(Format format, int side, const std::vector<std::uint8_t>& texels, const char* label) {
+Texture uploaded(Format format, int side, const std::vector<std::uint8_t>& texels, const char* label,
+                 Wrap up = Wrap::repeat) {
   Texture texture(format, side, side, side, label);
-  texture.sample_with(Filter::linear, Wrap::repeat);
+  texture.sample_with(Filter::linear, Wrap::repeat, Wrap::repeat, up);
   texture.upload(texels);
   return texture;
 }
 
 Texture shape_texture(const BakedTexels& texels) {
   const Format format = shape_texture_format(texels.recipe.format);
-  if (!texels.grid) return uploaded(format, texels.recipe.resolution, texels.shape, "shape");
+  // The highest layer does not go on below the lowest.
+  const Wrap up = texels.recipe.layers.empty() ? Wrap::repeat : Wrap::clamp;
+  if (!texels.grid) return uploaded(format, texels.recipe.resolution, texels.shape, "shape", up);
   const glm::ivec3& size = texels.grid->size;
   const GridRecipe& grid = texels.recipe.grid;
   Texture texture(format, size.x, size.y, size.z, "shape");
@@ -102,8 +105,9 @@ BakedCloudscape::Slopes slopes_of(const std::vector<std::uint8_t>& variation) {
 
 }  // namespace
 
-gpu::Format shape_texture_format(VolumeFormat format) {
-  return format == VolumeFormat::r16f ? Format::r16f : Format::rgba8;
+gpu::Format shape_texture_format(ShapeFormat format) {
+  constexpr Format formats[] = {Format::rgba8, Format::r16f, Format::rg16f};
+  return formats[static_cast<std::size_t>(format)];
 }
 
 BakedCloudscape::BakedCloudscape(BakedTexels texels)
@@ -120,11 +124,12 @@ BakedCloudscape::BakedCloudscape(BakedTexels texels)
 
 const BakedCloudscape::Extent& BakedCloudscape::extent(const std::array<double, 3>& weights) const {
   const std::vector<std::uint8_t>& shape = texels_.shape;
-  const bool mixed = texels_.recipe.format == VolumeFormat::r16f;
+  const bool mixed = texels_.recipe.format != ShapeFormat::rgba8;
+  const std::size_t channels = texels_.recipe.format == ShapeFormat::rg16f ? 2 : 1;
   if (!extent_.slice_maxima.empty() && (mixed || weights == weights_)) return extent_;
   weights_ = weights;
   extent_ = mixed
-                ? extent_of(shape_.width(), [&](std::size_t texel) { return half_at(shape, texel); })
+                ? extent_of(shape_.width(), [&](std::size_t texel) { return half_at(shape, channels * texel); })
                 : extent_of(shape_.width(), [&](std::size_t texel) { return mixed_shape(&shape[4 * texel], weights); });
   return extent_;
 }

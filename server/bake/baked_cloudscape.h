@@ -26,7 +26,7 @@ struct GridFacts {
 // Texels of the three textures, x fastest, then y, then z (bottom to top).
 struct BakedTexels {
   BakeRecipe recipe;
-  std::vector<std::uint8_t> shape;      // RGBA8 or R16F as the recipe says, resolution^3 or the grid's size
+  std::vector<std::uint8_t> shape;      // RGBA8, R16F or RG16F as the recipe says, resolution^3 or the grid's size
   std::vector<std::uint8_t> detail;     // RGBA8, detail_resolution^3
   std::vector<std::uint8_t> variation;  // RGBA16F, variation_resolution^2
   std::optional<GridFacts> grid = {};   // of a volume from a file
@@ -34,7 +34,10 @@ struct BakedTexels {
 };
 
 constexpr int structure_padding = 2;  // cells around the clouds: the double padding of Olajos 2.4.2
-gpu::Format shape_texture_format(VolumeFormat format);
+gpu::Format shape_texture_format(ShapeFormat format);
+// The shape of several layers is above this where there is cloud, by as much as each layer's noise is above the
+// threshold that its own coverage gives (shaders/bake/layer_add.comp).
+constexpr double common_threshold = 0.5;
 
 class BakedCloudscape {
  public:
@@ -45,7 +48,7 @@ class BakedCloudscape {
   const gpu::Texture& detail() const { return detail_; }
   const gpu::Texture& variation() const { return variation_; }
   // How the march sees the shape where it mixes the finer channels in with `weights`; remembered for the last weights.
-  // A shape of one channel is mixed already: its weights change nothing.
+  // A shape of one channel is mixed already, as that of several layers is: its weights change nothing.
   struct Extent {
     std::vector<float> column_maxima;  // greatest value of each column, ascending
     std::vector<float> slice_maxima;   // of each slice, bottom to top

@@ -1,8 +1,10 @@
 // Bakes noise into textures, slab by slab, so that frames can be rendered in between.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "bake/baked_cloudscape.h"
+#include "bake/layer_job.h"
 #include "gpu/pass.h"
 
 namespace cloudscape::bake {
@@ -28,6 +30,7 @@ class Baker {
   struct Shaders {
     explicit Shaders(gpu::ShaderLibrary& shaders);
     gpu::VolumePass shape, mixed, detail, variation;
+    LayerPasses layers;
   };
 
  private:

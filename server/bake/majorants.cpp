@@ -21,8 +21,9 @@ MajorantBuilder::MajorantBuilder(gpu::ShaderLibrary& shaders)
 Majorants MajorantBuilder::build(const BakedCloudscape& baked, const std::array<double, 3>& weights) const {
   const glm::ivec3 size = baked.structure_size(), blocks = (size + majorant_block - 1) / majorant_block;
   gpu::UniformBlock<StructureBlock> block("majorants");
-  block.upload(
-      {vec4(1, weights[0], weights[1], weights[2]), ivec4(size, baked.shape().width()), vec4(majorant_reach, 0, 0, 0)});
+  const bool layered = !baked.texels().recipe.layers.empty();
+  block.upload({vec4(1, weights[0], weights[1], weights[2]), ivec4(size, baked.shape().width()),
+                vec4(majorant_reach, layered, 0, 0)});
   block.bind();
   Majorants majorants{cells(Format::rg32f, size, "majorants"), cells(Format::r32f, blocks, "coarse majorants")};
   const Binding shape[] = {{0, &baked.shape()}}, fine[] = {{0, &majorants.fine}};

@@ -7,8 +7,9 @@
 
 namespace cloudscape::bake {
 
-// Greatest shape noise of each cell of the structure's grid and of as much beyond its faces as `majorant_reach` says;
-// coarse: of each block of `majorant_block`^3 cells, the last ones cut off. R32F, repeating east and north.
+// Greatest shape noise of each cell of the structure's grid and of as much beyond its faces as `majorant_reach` says,
+// and the greatest density of the layers there (else 1), RG32F; coarse: the noise of each block of `majorant_block`^3
+// cells, the last ones cut off, R32F. Repeating east and north.
 struct Majorants {
   gpu::Texture fine, coarse;
 };

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
+#include "bake/noise_inputs.h"
 #include "bake/permutation.h"
 
 namespace cloudscape::bake {
@@ -12,7 +13,6 @@ namespace {
 
 std::size_t count(int texels) { return static_cast<std::size_t>(texels); }
 float mix(float a, float b, float share) { return a + (b - a) * share; }
-float middle(int texel, int texels) { return (static_cast<float>(texel) + 0.5F) / static_cast<float>(texels); }
 
 // Spreads [low, high] over [0, 1], as shaders/lib/shape.glsl.
 float stretch(float value, float low, float high) { return std::clamp((value - low) / (high - low), 0.0F, 1.0F); }
@@ -20,11 +20,6 @@ float stretched_worley(float value) { return stretch(value, 0.3F, 0.95F); }
 float stretched_perlin(float value) { return stretch(value, 0.25F, 0.75F); }
 
 std::uint8_t code(float value) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F))); }
-
-void store_half(float value, std::uint8_t* bytes) {
-  const std::uint16_t half = glm::packHalf1x16(value);
-  std::memcpy(bytes, &half, sizeof half);
-}
 
 Fbm fbm_of(const NoiseChannel& channel, double height_over_width) {
   return {lattice_cells(channel, height_over_width), channel.octaves, channel.lacunarity,
@@ -40,6 +35,11 @@ float tile_window(float x, float y) {
 }
 
 }  // namespace
+
+void store_half(float value, std::uint8_t* bytes) {
+  const std::uint16_t half = glm::packHalf1x16(value);
+  std::memcpy(bytes, &half, sizeof half);
+}
 
 ChannelRows::ChannelRows(const BakeRecipe& recipe, std::size_t channel)
     : worley_mix_(static_cast<float>(recipe.noise.channels[channel].worley_mix)), other_(count(recipe.resolution)) {
@@ -58,14 +58,14 @@ void ChannelRows::fill(float y, float z, std::span<float> row) {
   for (std::size_t i = 0; i < row.size(); ++i) row[i] = mix(stretched_perlin(other_[i]), row[i], worley_mix_);
 }
 
-ShapeTexels::ShapeTexels(const BakeRecipe& recipe) : recipe_(recipe) {
+ShapeRows::ShapeRows(const BakeRecipe& recipe) : recipe_(recipe) {
   const int side = recipe.resolution;
   for (std::size_t i = 0; i < 4; ++i) {
     channels_.emplace_back(recipe, i);
     rows_[i].resize(count(side));
   }
   for (int texel = 0; texel < side * side; ++texel) {
-    const float x = middle(texel % side, side), y = middle(texel / side, side);
+    const float x = middle_of(texel % side, side), y = middle_of(texel / side, side);
     windows_.push_back(tile_window(x, y));
     for (const Tower& tower : recipe.towers) {
       const auto radius = static_cast<float>(tower.radius);
@@ -76,7 +76,7 @@ ShapeTexels::ShapeTexels(const BakeRecipe& recipe) : recipe_(recipe) {
 }
 
 // shaders/bake/shape_noise.glsl, with tower_offset of shaders/lib/shape.glsl.
-float ShapeTexels::towers_offset(std::size_t column, float height, float shape) const {
+float ShapeRows::towers_offset(std::size_t column, float height, float shape) const {
   const std::size_t towers = recipe_.towers.size();
   const float pushed = height / mix(0.45F, 1.3F, shape);
   float offset = 0;
@@ -91,37 +91,47 @@ float ShapeTexels::towers_offset(std::size_t column, float height, float shape) 
   return offset * base * windows_[column] * mix(0.35F, 1.0F, shape);
 }
 
-void ShapeTexels::shape_row(int y, float height, std::span<float> shape) const {
+void ShapeRows::fill(int y, float z, float height) {
+  const auto& channels = recipe_.noise.channels;
+  const int side = recipe_.resolution;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (i == 0 || recipe_.format == ShapeFormat::rgba8 || channels[i].weight > 0)
+      channels_[i].fill(middle_of(y, side), z, rows_[i]);
   const float distribution =
       height_distribution(height, static_cast<float>(recipe_.height_rise), static_cast<float>(recipe_.height_fall));
-  const std::size_t first_column = count(y) * shape.size();
-  for (std::size_t x = 0; x < shape.size(); ++x)
-    shape[x] = shape[x] * distribution + towers_offset(first_column + x, height, shape[x]);
-}
-
-void ShapeTexels::store(std::size_t first_texel, std::vector<std::uint8_t>& texels) const {
-  const auto& channels = recipe_.noise.channels;
-  for (std::size_t x = 0; x < rows_[0].size(); ++x) {
-    const std::size_t texel = first_texel + x;
-    if (recipe_.format == VolumeFormat::rgba8) {
-      for (std::size_t i = 0; i < 4; ++i) texels[4 * texel + i] = code(rows_[i][x]);
-      continue;
-    }
-    float modulation = 1;
-    for (std::size_t i = 1; i < 4; ++i) modulation += static_cast<float>(channels[i].weight) * (rows_[i][x] - 0.5F);
-    store_half(std::clamp(rows_[0][x], 0.0F, 1.0F) * modulation, &texels[2 * texel]);
+  const std::size_t first_column = count(y) * count(side);
+  for (std::size_t x = 0; x < count(side); ++x) {
+    float& shape = rows_[0][x];
+    shape = shape * distribution + towers_offset(first_column + x, height, shape);
   }
 }
 
-void ShapeTexels::fill(int z_begin, int z_end, std::vector<std::uint8_t>& texels) {
-  const int side = recipe_.resolution;
+float ShapeRows::mixed(std::size_t x) const {
+  float factor = 1;
+  for (std::size_t i = 1; i < 4; ++i)
+    factor += static_cast<float>(recipe_.noise.channels[i].weight) * (rows_[i][x] - 0.5F);
+  return std::clamp(rows_[0][x], 0.0F, 1.0F) * factor;
+}
+
+void ShapeTexels::store(std::size_t first_texel, std::vector<std::uint8_t>& texels) const {
+  for (std::size_t x = 0; x < count(recipe_.resolution); ++x) {
+    const std::size_t texel = first_texel + x;
+    if (recipe_.format == ShapeFormat::rgba8)
+      for (std::size_t i = 0; i < 4; ++i) texels[4 * texel + i] = code(rows_.channel(i)[x]);
+    else
+      store_half(rows_.mixed(x), &texels[2 * texel]);
+  }
+}
+
+bool ShapeTexels::advance(std::vector<std::uint8_t>& texels) {
+  const int side = recipe_.resolution, end = std::min(next_z_ + slab_of(side), side);
   texels.resize(count(side) * count(side) * count(side) * count(bytes_per_texel(recipe_.format)));
-  for (int z = z_begin; z < z_end; ++z)
+  for (; next_z_ < end; ++next_z_)
     for (int y = 0; y < side; ++y) {
-      for (std::size_t i = 0; i < 4; ++i) channels_[i].fill(middle(y, side), middle(z, side), rows_[i]);
-      shape_row(y, middle(z, side), rows_[0]);
-      store((count(z) * count(side) + count(y)) * count(side), texels);
+      rows_.fill(y, middle_of(next_z_, side), middle_of(next_z_, side));
+      store((count(next_z_) * count(side) + count(y)) * count(side), texels);
     }
+  return next_z_ >= side;
 }
 
 // shaders/bake/detail.comp
@@ -133,8 +143,8 @@ std::vector<std::uint8_t> detail_texels(const BakeRecipe& recipe) {
   std::vector<float> billows(count(side)), wisps(count(side));
   std::vector<std::uint8_t> texels;
   for (int row = 0; row < side * side; ++row) {
-    worley.fill(middle(row % side, side), middle(row / side, side), billows);
-    perlin.fill(middle(row % side, side), middle(row / side, side), wisps);
+    worley.fill(middle_of(row % side, side), middle_of(row / side, side), billows);
+    perlin.fill(middle_of(row % side, side), middle_of(row / side, side), wisps);
     for (std::size_t x = 0; x < count(side); ++x)
       texels.insert(texels.end(), {code(stretched_worley(billows[x])), code(stretched_perlin(wisps[x])), 0, 255});
   }
@@ -151,7 +161,7 @@ std::vector<std::uint8_t> variation_texels(const BakeRecipe& recipe) {
   };
   for (int y = 0; y < variation_resolution; ++y)
     for (std::size_t channel = 0; channel < 4; ++channel) {
-      if (channel < 3) perlin.fill(middle(y, variation_resolution), 0.1F + 0.3F * static_cast<float>(channel), row);
+      if (channel < 3) perlin.fill(middle_of(y, variation_resolution), 0.1F + 0.3F * static_cast<float>(channel), row);
       for (std::size_t x = 0; x < row.size(); ++x)
         store(y, channel, channel < 3 ? stretch(row[x], 0.3F, 0.7F) : 1.0F, x);
     }

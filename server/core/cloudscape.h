@@ -4,8 +4,10 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/cloudscape_environment.h"
+#include "core/cloudscape_layers.h"
 #include "core/cloudscape_medium.h"
 #include "core/cloudscape_volume.h"
 #include "core/view.h"
@@ -19,6 +21,7 @@ struct Cloudscape {
   Volume volume;
   Noise noise;
   Shape shape;
+  std::vector<Layer> layers;
   Detail detail;
   Medium medium;
   Sun sun;
@@ -36,6 +39,9 @@ struct Cloudscape {
     visit("volume", self.volume, Limits{}, "Where the medium is.");
     visit("noise", self.noise, Limits{}, "The four channels of the shape texture (Olajos 2.2).");
     visit("shape", self.shape, Limits{}, "How noise becomes clouds (Olajos 2.3).");
+    visit("layers", self.layers, Limits{0, 4},
+          "Further layers of clouds in a noise volume, of other kinds, 4 at most; they are added to those of `shape` "
+          "when these are baked, and so a change of a coverage needs a new bake.");
     visit("detail", self.detail, Limits{}, "The fine texture that erodes the clouds' edges.");
     visit("medium", self.medium, Limits{}, "Optical properties of the cloud.");
     visit("sun", self.sun, Limits{}, "Direction and strength of the sun.");
@@ -46,5 +52,14 @@ struct Cloudscape {
     visit("view", self.view, Limits{}, "Camera and display that a request starts from where it names none.");
   }
 };
+
+// Whether its shape texture holds several layers, or one that is not simply all of the volume.
+constexpr bool is_layered(const Cloudscape& sky) {
+  const Shape& own = sky.shape;
+  return sky.volume.kind == VolumeKind::noise && (!sky.layers.empty() || own.bottom_m || own.top_m || own.density != 1);
+}
+
+// Shape noise that erosion takes off on average; the device's mean of it (shaders/render/medium.glsl) is a half.
+constexpr double mean_erosion(const Cloudscape& sky) { return 0.5 * sky.detail.strength; }
 
 }  // namespace cloudscape

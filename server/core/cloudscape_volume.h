@@ -54,7 +54,7 @@ struct Volume {
           "Texels of the shape texture. rgba8: four noises of 8 bits, mixed by their weights when they are sampled. "
           "r16f: "
           "mixed when they are baked, one number of 16 bits; half the memory, and a new bake for each change of a "
-          "weight.");
+          "weight. With `layers` neither: coverage and density, two numbers of 16 bits.");
     visit("grid", self.grid, Limits{}, "The voxels of vdb and grid.");
   }
 };
@@ -69,6 +69,14 @@ struct NoiseChannel {
   bool operator==(const NoiseChannel&) const = default;
 
   static void fields(auto& self, auto&& visit) {
+    lattice_fields(self, visit);
+    visit(
+        "weight", self.weight, Limits{0, 4},
+        "How much the channel adds to the shape when it is sampled; the first channel is the shape and has weight 1.");
+  }
+
+  // Those that every noise has.
+  static void lattice_fields(auto& self, auto&& visit) {
     visit("worley_mix", self.worley_mix, Limits{0, 1}, "0: Perlin noise, 1: Worley noise, between: both mixed.");
     visit("frequency", self.frequency, Limits{1, 128, true},
           "Lattice cells along the tile's width in the first octave; a power of two. Upwards: as many as make them as "
@@ -77,9 +85,6 @@ struct NoiseChannel {
     visit("lacunarity", self.lacunarity, Limits{2, 8, true},
           "Frequency ratio of neighbouring octaves; a power of two.");
     visit("gain", self.gain, Limits{0, 1}, "Amplitude ratio of neighbouring octaves.");
-    visit(
-        "weight", self.weight, Limits{0, 4},
-        "How much the channel adds to the shape when it is sampled; the first channel is the shape and has weight 1.");
   }
 };
 
@@ -120,6 +125,8 @@ struct CoverageVariation {
   }
 };
 
+constexpr Limits altitude_limits{-1e7, 1e7};  // as of the volume's origin
+
 struct Shape {
   double height_rise = 50.0;
   double height_fall = 4.0;
@@ -128,6 +135,9 @@ struct Shape {
   double edge_softness = 0.02;
   CoverageVariation coverage_variation;
   std::vector<Tower> towers;
+  std::optional<double> bottom_m;
+  std::optional<double> top_m;
+  double density = 1.0;
   bool operator==(const Shape&) const = default;
 
   static void fields(auto& self, auto&& visit) {
@@ -141,6 +151,10 @@ struct Shape {
     visit("coverage_variation", self.coverage_variation, Limits{},
           "Slow change of coverage over the land; hides the tiling.");
     visit("towers", self.towers, Limits{0, 32}, "Gaussian towers, 32 at most (Olajos 2.3.2).");
+    visit("bottom_m", self.bottom_m, altitude_limits,
+          "Lowest altitude of these clouds, as other `layers` have theirs, m; null: the volume's bottom.");
+    visit("top_m", self.top_m, altitude_limits, "Highest altitude of these clouds, m; null: the volume's top.");
+    visit("density", self.density, Limits{0, 1}, "Share of the medium's extinction that these clouds have.");
   }
 };
 

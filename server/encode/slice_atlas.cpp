@@ -26,18 +26,22 @@ Layout layout_of(int side, int depth) {
   return {side, depth, columns, (depth + columns - 1) / columns};
 }
 
-int channels_of(VolumeFormat format) { return format == VolumeFormat::r16f ? 1 : 4; }
+// One letter each.
+std::string channels_of(ShapeFormat format) {
+  constexpr const char* names[] = {"RGBA", "Y", "RG"};
+  return names[static_cast<std::size_t>(format)];
+}
 
 // Value `index` of the texels, all channels counted.
-half value_at(std::span<const std::uint8_t> texels, std::size_t index, VolumeFormat format) {
-  if (format == VolumeFormat::rgba8) return half(static_cast<float>(texels[index]) / 255.0F);
+half value_at(std::span<const std::uint8_t> texels, std::size_t index, ShapeFormat format) {
+  if (format == ShapeFormat::rgba8) return half(static_cast<float>(texels[index]) / 255.0F);
   half value;
   value.setBits(static_cast<std::uint16_t>(texels[2 * index] | texels[2 * index + 1] << 8));
   return value;
 }
 
-std::vector<half> arranged(std::span<const std::uint8_t> texels, const Layout& layout, VolumeFormat format) {
-  const auto channels = static_cast<std::size_t>(channels_of(format));
+std::vector<half> arranged(std::span<const std::uint8_t> texels, const Layout& layout, ShapeFormat format) {
+  const std::size_t channels = channels_of(format).size();
   std::vector<half> pixels(static_cast<std::size_t>(layout.width()) * layout.height() * channels, half(0.0F));
   std::size_t value = 0;
   for (int z = 0; z < layout.depth; ++z) {
@@ -63,16 +67,16 @@ Imf::Header header_of(const Layout& layout, const std::map<std::string, std::str
 }  // namespace
 
 std::vector<std::uint8_t> slice_atlas_exr(std::span<const std::uint8_t> texels, int side, int depth,
-                                          const std::map<std::string, std::string>& attributes, VolumeFormat format) {
+                                          const std::map<std::string, std::string>& attributes, ShapeFormat format) {
   const Layout layout = layout_of(side, depth);
-  const std::size_t texel_bytes = format == VolumeFormat::r16f ? 2 : 4;
+  const auto texel_bytes = static_cast<std::size_t>(bytes_per_texel(format));
   if (texels.size() != static_cast<std::size_t>(side) * side * depth * texel_bytes)
     throw Error("a volume of " + std::to_string(texels.size()) + " bytes is not " + std::to_string(side) + "x" +
                 std::to_string(side) + "x" + std::to_string(depth) + " texels in " + std::string(name_of(format)));
   std::vector<half> pixels = arranged(texels, layout, format);
   Imf::Header header = header_of(layout, attributes);
   Imf::FrameBuffer buffer;
-  const std::string names = format == VolumeFormat::r16f ? "Y" : "RGBA";
+  const std::string names = channels_of(format);
   const std::size_t stride = names.size() * sizeof(half);
   for (std::size_t i = 0; i < names.size(); ++i) {
     header.channels().insert(names.substr(i, 1), Imf::Channel(Imf::HALF));

@@ -27,9 +27,8 @@ void make_image_writes_visible() {
                   GL_PIXEL_BUFFER_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
-void bind_image(std::size_t unit, const Texture& target) {
-  glBindImageTexture(static_cast<GLuint>(unit), target.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY,
-                     row_of(target.format()).internal);
+void bind_image(std::size_t unit, const Texture& target, GLenum access = GL_WRITE_ONLY) {
+  glBindImageTexture(static_cast<GLuint>(unit), target.id(), 0, GL_TRUE, 0, access, row_of(target.format()).internal);
 }
 
 class Framebuffer {
@@ -151,7 +150,7 @@ void VolumePass::run(const Texture& target, int z_begin, int z_end, std::span<co
   glUseProgram(program_.id());
   bind_textures(textures);
   upload(range_, std::array{z_begin, z_end, 0, 0});
-  bind_image(0, target);
+  bind_image(0, target, GL_READ_WRITE);
   glDispatchCompute(groups(target.width(), volume_group), groups(target.height(), volume_group),
                     groups(z_end - z_begin, volume_group));
   make_image_writes_visible();

@@ -67,7 +67,7 @@ class ScreenPass {
 };
 
 // A compute shader `layout(local_size_x = 4, local_size_y = 4, local_size_z = 4)` that writes one 3D image at binding
-// 0.
+// 0, whose own texel it may read before.
 class VolumePass {
  public:
   VolumePass(ShaderLibrary& shaders, const std::string& path);

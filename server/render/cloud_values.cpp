@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/bake_size.h"
 #include "core/march_steps.h"
 #include "core/wind.h"
 #include "render/block_values.h"
@@ -52,9 +53,17 @@ void set_light_model(CloudBlock& block, const LightModel& light) {
 }
 
 double threshold_of(const Cloudscape& sky, const bake::BakedCloudscape& baked) {
-  const double mean_erosion = 0.5 * sky.detail.strength;  // shaders/render/medium.glsl
+  if (is_layered(sky)) return bake::common_threshold - mean_erosion(sky);
   if (sky.shape.threshold) return *sky.shape.threshold;
-  return baked.threshold_for(sky.shape.coverage, mixing_weights(sky)) - mean_erosion;
+  return baked.threshold_for(sky.shape.coverage, mixing_weights(sky)) - mean_erosion(sky);
+}
+
+// Share of the sky that has cloud before it, of layers that stand independently above one another.
+double cloud_cover(const Cloudscape& sky) {
+  if (sky.volume.kind != VolumeKind::noise) return 0;
+  double cover = sky.shape.coverage;
+  for (const Layer& layer : sky.layers) cover += (1 - cover) * layer.coverage;
+  return cover;
 }
 
 // tuned: the share of a tile by which the variation moves it; a third hides repetition without smearing shapes.
@@ -195,9 +204,9 @@ glm::dvec2 drift_of_clouds(const FrameRequest& request) {
 }
 
 // A shape of one channel is mixed when it is baked, or comes from a file; the channels that it has not read as 0, 0
-// and 1.
+// and 1. Nor is density mixed in.
 std::array<double, 3> mixing_weights(const Cloudscape& sky) {
-  if (sky.volume.format == VolumeFormat::r16f || is_from_file(sky.volume.kind)) return {};
+  if (shape_format(sky) != ShapeFormat::rgba8) return {};
   const auto& channels = sky.noise.channels;
   return {channels[1].weight, channels[2].weight, channels[3].weight};
 }
@@ -244,7 +253,7 @@ CloudBlock cloud_block(const FrameRequest& asked, const bake::BakedCloudscape& b
   block.tile = tile_of(volume, drifted(request));
   block.box_low = xyz_w(volume.origin_m - below_camera, volume.tiling);
   block.box_high = xyz_w(volume.origin_m + volume.size_m - below_camera, 0);
-  block.volume = {0, !from_file, volume.kind == VolumeKind::noise ? sky.shape.coverage : 0.0, 0};
+  block.volume = {0, !from_file, cloud_cover(sky), is_layered(sky)};
   set_shape(block, request, baked);
   const Medium& medium = sky.medium;
   block.medium = {medium.extinction_per_m, medium.extinction_per_m * medium.single_scattering_albedo, medium.ambient,

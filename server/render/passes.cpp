@@ -39,8 +39,8 @@ std::string march_kinds(const CloudBlock& cloud, SkyKind sky) {
     return std::string("#define ") + name + " " + std::to_string(static_cast<int>(value)) + "\n";
   };
   return define("VOLUME_KIND", cloud.layer.w) + define("PHASE_KIND", cloud.medium.w) +
-         define("LIGHT_KIND", cloud.phase.w) + define("SKY_KIND", static_cast<int>(sky)) +
-         (cloud.shape.z <= 0 ? "#define EVEN_COVERAGE\n" : "");
+         define("LIGHT_KIND", cloud.phase.w) + define("SKY_KIND", static_cast<int>(sky)) + "#define LAYERED " +
+         (cloud.volume.w > 0 ? "true\n" : "false\n") + (cloud.shape.z <= 0 ? "#define EVEN_COVERAGE\n" : "");
 }
 
 const ScreenPass& Passes::march_of(const Medium& medium, bool float32) const {

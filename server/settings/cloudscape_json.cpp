@@ -8,6 +8,7 @@
 #include "settings/cloudscape_reader.h"
 #include "settings/described_json.h"
 #include "settings/described_schema.h"
+#include "settings/layer_checks.h"
 
 namespace cloudscape::settings {
 namespace {
@@ -22,14 +23,6 @@ struct Root {
     Cloudscape::fields(self.cloudscape, visit);
   }
 };
-
-// Lattice cells narrower than a texel hold no shape, only aliasing.
-void check_octaves(const std::string& pointer, double finest_cells, const char* rule, int resolution,
-                   const char* resolution_key) {
-  if (finest_cells <= resolution) return;
-  throw InvalidInput(pointer, "has " + number_text(finest_cells) + " cells a tile in its last octave (" + rule +
-                                  "): must be at most " + resolution_key + ", " + number_text(resolution));
-}
 
 // Anyone may send a document: it must not reach a file outside the folder of height maps.
 void check_height_map(const std::string& name, const std::string& pointer) {
@@ -57,12 +50,13 @@ void check_volume_file(const Volume& volume, const std::string& pointer) {
 }
 
 // What to lower where the textures are too large: key of the volume, and its value.
-std::pair<std::string, std::string> size_of_bake(const Volume& volume) {
+std::pair<std::string, std::string> size_of_bake(const Cloudscape& cloudscape) {
+  const Volume& volume = cloudscape.volume;
   const auto& size = volume.grid.size;
   if (volume.kind == VolumeKind::vdb) return {"grid/resolution", number_text(volume.grid.resolution)};
   if (volume.kind == VolumeKind::grid)
     return {"grid/size", std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2])};
-  return {"resolution", std::to_string(volume.resolution) + " in " + std::string(name_of(volume.format))};
+  return {"resolution", std::to_string(volume.resolution) + " in " + std::string(name_of(shape_format(cloudscape)))};
 }
 
 nlohmann::ordered_json document_schema() { return schema<Root>("urn:cloudscape:document:1", "Cloudscape document"); }
@@ -73,6 +67,7 @@ void check(const Cloudscape& cloudscape, const std::string& pointer) {
   check_height_map(cloudscape.ground.terrain.height_map, pointer + "/ground/terrain/height_map");
   check_place(cloudscape.sun.place, pointer + "/sun/place");
   check_volume_file(cloudscape.volume, pointer + "/volume/grid/file");
+  check_layers(cloudscape, pointer);
   if (cloudscape.volume.kind != VolumeKind::noise) return;
   for (std::size_t i = 0; i < cloudscape.noise.channels.size(); ++i) {
     const NoiseChannel& channel = cloudscape.noise.channels[i];
@@ -88,12 +83,14 @@ void check(const Cloudscape& cloudscape, const std::string& pointer) {
 void check_bake(const Cloudscape& cloudscape, double max_bake_mib, const std::string& pointer) {
   const double mib = static_cast<double>(bake_bytes(cloudscape)) / (1024.0 * 1024.0);
   if (mib <= max_bake_mib) return;
-  const auto [key, value] = size_of_bake(cloudscape.volume);
+  const auto [key, value] = size_of_bake(cloudscape);
   const bool noise = cloudscape.volume.kind == VolumeKind::noise;
   throw OverLimit(pointer + "/volume/" + key, "is " + value + ", whose textures take " + number_text(mib) +
                                                   " MiB: this server's limit is " + number_text(max_bake_mib) +
                                                   " (max_bake_mib); lower volume." +
-                                                  (noise ? "resolution or ask for volume.format r16f" : "grid"));
+                                                  (is_layered(cloudscape) ? "resolution"
+                                                   : noise                ? "resolution or ask for volume.format r16f"
+                                                                          : "grid"));
 }
 
 Cloudscape read_cloudscape(const nlohmann::json& json, const std::string& pointer) {

@@ -1,5 +1,5 @@
 // Bakes the unpadded structure (Olajos 2.4.2): for each cell the greatest shape noise that interpolation can give in it, and as far
-// beyond its faces as it is to reach.
+// beyond its faces as it is to reach; beside it (y) the greatest density of the layers there, where there are several, else 1.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/structure_block.glsl"
 #include "lib/around_edges.glsl"
@@ -8,12 +8,12 @@ layout(binding = 0) uniform sampler3D shape_texture;
 
 ivec3 inside(ivec3 texel, ivec3 size) { return clamp(around_edges(texel, size), ivec3(0), size - 1); }
 
-// Shape (x) and what the finer channels make of it (y), the greatest of the four texels of a cube's face.
-vec2 face_maximum(ivec3 at, ivec3 size) {
-  vec2 most = vec2(-1.0e9);
+// Shape (x), what the finer channels make of it (y) and density (z), the greatest of the four texels of a cube's face.
+vec3 face_maximum(ivec3 at, ivec3 size) {
+  vec3 most = vec3(-1.0e9);
   for (int i = 0; i < 4; ++i) {
     vec4 noise = texelFetch(shape_texture, inside(at + ivec3(0, i & 1, i >> 1), size), 0);
-    most = max(most, vec2(noise.x, 1.0 + dot(structure_values.weights.yzw, noise.yzw - 0.5)));
+    most = max(most, vec3(noise.x, 1.0 + dot(structure_values.weights.yzw, noise.yzw - 0.5), noise.y));
   }
   return most;
 }
@@ -29,17 +29,19 @@ void main() {
   ivec3 first = ivec3(floor((vec3(cell) - reach) * vec3(size) / vec3(cells) - 0.5));
   ivec3 last = ivec3(ceil((vec3(cell + 1) + reach) * vec3(size) / vec3(cells) - 0.5)) - 1;
   float greatest = 0.0;
+  float densest = 0.0;
   for (int z = first.z; z <= last.z; ++z) {
     for (int y = first.y; y <= last.y; ++y) {
-      vec2 face = face_maximum(ivec3(first.x, y, z), size);
+      vec3 face = face_maximum(ivec3(first.x, y, z), size);
       for (int x = first.x; x <= last.x; ++x) {
         // The channels are interpolated one by one, and then multiplied: no more than the product of their maxima.
-        vec2 next = face_maximum(ivec3(x + 1, y, z), size);
-        vec2 most = max(face, next);
+        vec3 next = face_maximum(ivec3(x + 1, y, z), size);
+        vec3 most = max(face, next);
         greatest = max(greatest, most.x * max(most.y, 0.0));
+        densest = max(densest, most.z);
         face = next;
       }
     }
   }
-  imageStore(target, cell, vec4(greatest));
+  imageStore(target, cell, vec4(greatest, structure_values.reach.y > 0.0 ? densest : 1.0, 0.0, 0.0));
 }

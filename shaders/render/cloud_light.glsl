@@ -40,13 +40,13 @@ float near_optical_depth(vec3 p, Stretch path, Land land, float jitter) {
     float near = min(steps, 2.0), i = 0.0;
     do {
       vec3 at = p + sun * light_distance_m(path.begin, end_m, i, jitter);
-      float value = shape_above_threshold(at, land);
-      sum_m += density_of(value, erosion_at(at, height_in_layer(at), false), cloud.erosion.z) * (2.0 * i + 1.0);
+      Shape shape = shape_above_threshold(at, land);
+      sum_m += density_of(shape, erosion_at(at, height_in_layer(at), false), cloud.erosion.z) * (2.0 * i + 1.0);
       ++i;
     } while (i < near);
     do {
-      float value = shape_above_threshold(p + sun * light_distance_m(path.begin, end_m, i, jitter), land);
-      sum_m += i < steps ? density_of(value, mean_erosion, cloud.erosion.y) * (2.0 * i + 1.0) : 0.0;
+      Shape shape = shape_above_threshold(p + sun * light_distance_m(path.begin, end_m, i, jitter), land);
+      sum_m += i < steps ? density_of(shape, mean_erosion, cloud.erosion.y) * (2.0 * i + 1.0) : 0.0;
       ++i;
     } while (i < steps);
   }

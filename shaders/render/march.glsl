@@ -79,11 +79,11 @@ March march_layer(CameraRay ray, RayLight light, Stretch path, vec2 jitter, floa
     bool looking = going;
     do {
       if (looking) walk = walk_to_cloud(ray, path, jitter.x, walk);
-      looking = looking && walk.value > 0.0;
+      looking = looking && walk.shape.value > 0.0;
       if (looking) {
         step_m = small_step_m(walk.t);
         p = ray.origin + ray.direction * walk.t;
-        density = density_of(walk.value, visible_erosion(p, step_m), step_m);
+        density = density_of(shape_at(walk), visible_erosion(p, step_m), step_m);
         walk.t = beyond_gap(walk.t + step_m, path);
         ++walk.steps;
         looking = density <= 0.0 && is_under_way(walk, path);

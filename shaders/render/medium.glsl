@@ -75,21 +75,33 @@ vec2 light_level(Land land) {
 
 const float outside_volume = -1.0;  // as a value of the shape: lower than any inside
 
-// Shape noise above the threshold; not above 0: no cloud. What erosion takes off it comes after.
-float shape_above_threshold(vec3 p, Land land) {
+#ifndef LAYERED
+#define LAYERED (cloud.volume.w > 0.0)
+#endif
+
+// What the shape texture says of a point.
+struct Shape {
+  float value;    // noise above the threshold; not above 0: no cloud. What erosion takes off it comes after.
+  float density;  // 0..1, as dense as the cloud can be: of several layers that of the one that is there
+};
+
+// Of texels of one layer, which is as dense as the medium, green is something else.
+Shape shape_of(float value, float green) { return Shape(value, LAYERED ? green : 1.0); }
+
+Shape shape_above_threshold(vec3 p, Land land) {
   float h = height_in_layer(p);
   vec2 tile = tile_at(p);
   vec4 noise = textureLod(shape_texture, vec3(tile + land.shift, h), 0.0);
   float value = noise.x * (1.0 + dot(cloud.weights.yzw, noise.yzw - 0.5)) - land.threshold;
   bool beside = cloud.box_low.w == 0.0 && (tile.x < 0.0 || tile.x > 1.0 || tile.y < 0.0 || tile.y > 1.0);
-  return h <= 0.0 || h >= 1.0 || beside ? outside_volume : value;
+  return shape_of(h <= 0.0 || h >= 1.0 || beside ? outside_volume : value, noise.y);
 }
 
 // Density 0..1 from `shape_above_threshold` at p, less `erosion` (0..1), where samples lie `spacing_m` apart.
-float density_of(float value, float erosion, float spacing_m) {
-  if (value <= 0.0) return 0.0;
-  value -= cloud.erosion.x * erosion;
-  return clamp(value / (cloud.shape.y + cloud.erosion.w * min(spacing_m, 400.0)), 0.0, 1.0);
+float density_of(Shape shape, float erosion, float spacing_m) {
+  if (shape.value <= 0.0) return 0.0;
+  float value = shape.value - cloud.erosion.x * erosion;
+  return shape.density * clamp(value / (cloud.shape.y + cloud.erosion.w * min(spacing_m, 400.0)), 0.0, 1.0);
 }
 
 // The erosion that samples `spacing_m` apart can show: what is finer is left out.

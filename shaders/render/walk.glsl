@@ -11,7 +11,7 @@ float beyond_gap(float t, Stretch path) { return t > path.gap_begin && t < path.
 struct Walk {
   float t;  // of the next sample, m
   float steps;
-  float value;    // shape noise above the threshold at t; above 0: in cloud
+  Shape shape;    // at t; above 0: in cloud
   Land land;      // there
   float outside;  // the last point outside the thesis' structure, m; < 0: none since the small steps began
 };
@@ -20,5 +20,8 @@ struct Walk {
 // behind: all of these loops, which are most of what a frame costs, end in their condition.
 bool is_under_way(Walk walk, Stretch path) { return walk.steps < cloud.steps.z && walk.t < path.end; }
 
-Walk begin_walk(float t) { return Walk(t, 0.0, 0.0, Land(0.0, vec2(0.0)), -1.0); }
+// Software keeps what goes round in a loop: of one layer not its density, which is known.
+Shape shape_at(Walk walk) { return shape_of(walk.shape.value, walk.shape.density); }
+
+Walk begin_walk(float t) { return Walk(t, 0.0, Shape(0.0, 1.0), Land(0.0, vec2(0.0)), -1.0); }
 #endif

@@ -28,7 +28,7 @@ float shortest_cell_m() {
 Walk walk_to_cloud(CameraRay ray, Stretch path, float jitter, Walk walk) {
   float growth = 1.0 + cloud.steps.y + cloud.adaptive.y;
   float cell_m = shortest_cell_m();
-  walk.value = 0.0;
+  walk.shape.value = 0.0;
   bool looking = is_under_way(walk, path);
   do {
     vec3 p = ray.origin + ray.direction * walk.t;
@@ -36,13 +36,13 @@ Walk walk_to_cloud(CameraRay ray, Stretch path, float jitter, Walk walk) {
     Land land = land_at(p);
     vec2 nearness_m = nearness_of(p, land);
     float free_m = nearness_m.x;
-    float value = 0.0;
+    Shape shape = Shape(0.0, 1.0);
     if (free_m < small_m) {
-      value = shape_above_threshold(p, land);
-      free_m = value > outside_volume ? min(-value * nearness_m.y, cell_m) : 0.0;
+      shape = shape_above_threshold(p, land);
+      free_m = shape.value > outside_volume ? min(-shape.value * nearness_m.y, cell_m) : 0.0;
     }
-    if (looking) walk.land = land, walk.value = max(value, 0.0);
-    looking = looking && value <= 0.0;
+    if (looking) walk.land = land, walk.shape = Shape(max(shape.value, 0.0), shape.density);
+    looking = looking && shape.value <= 0.0;
     if (looking) {
       float next = walk.t + max(floor(free_m / (small_m * growth)), 1.0) * small_m;
       walk.t = beyond_gap(next + jitter * (small_step_m(next) - small_m) * float(free_m > small_m * growth), path);

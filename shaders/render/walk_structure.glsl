@@ -15,7 +15,7 @@ Walk walk_to_cloud(CameraRay ray, Stretch path, float jitter, Walk walk) {
   float first_m = small_step_m(path.begin);
   float large_m = cloud.structure.x;
   float last = path.end - min(1.0, 0.5 * small_step_m(path.end));  // where the structure is asked for the last time
-  walk.value = 0.0;
+  walk.shape.value = 0.0;
   bool looking = is_under_way(walk, path);
   do {
     vec3 p = ray.origin + ray.direction * walk.t;
@@ -23,10 +23,10 @@ Walk walk_to_cloud(CameraRay ray, Stretch path, float jitter, Walk walk) {
     Land land = land_at(p);
     int place = large_m > small_m ? place_in_structure(p, land) : near_cloud;
     bool steps_back = place != outside_structure && walk.outside >= 0.0;
-    float value = 0.0;
-    if (place == near_cloud && !steps_back) value = max(shape_above_threshold(p, land), 0.0);
-    if (looking) walk.land = land, walk.value = value;
-    looking = looking && value <= 0.0;
+    Shape shape = Shape(0.0, 1.0);
+    if (place == near_cloud && !steps_back) shape = shape_above_threshold(p, land);
+    if (looking) walk.land = land, walk.shape = Shape(max(shape.value, 0.0), shape.density);
+    looking = looking && shape.value <= 0.0;
     if (looking) {
       float next = beyond_gap(walk.t + (place == in_outer_padding ? max(cloud.structure.w, small_m) : small_m), path);
       if (place == outside_structure) next = beyond_gap(walk.t < last ? min(walk.t + large_m, last) : path.end, path);

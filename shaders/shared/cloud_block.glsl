@@ -6,7 +6,7 @@
 /* layer: bottom altitude, top altitude, 1 / thickness, kind as core's VolumeKind (vdb for all that comes from a file).
    tile: 1 / size east, 1 / size north (1/m), offset east, north (tiles) of the point below the camera.
    box_low, box_high: corners of the volume relative to the point below the camera (not curved), w of low: tiles?, of high: 0.
-   volume: longest small step (m), bent with the planet?, cloud cover (0..1), 0.
+   volume: longest small step (m), bent with the planet?, cloud cover (0..1), several layers?
    shape: threshold, edge softness, variation amount, shift of the tile by the variation (tiles).
    weights: of the four shape channels. variation: 1 / period (1/m), offset east, north (periods), 0.
    detail, fine_detail: 1 / period (1/m), offset east, north, up (periods). lean: of the layer's top against its bottom east, north (m), 0, 0. erosion: strength, sample spacing from which it is averaged (m), the same for its finest part;

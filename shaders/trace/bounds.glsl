@@ -69,8 +69,8 @@ Bound layer_bound(vec3 p, vec3 direction) {
   if (shape <= land.threshold - trace.slopes.z * free_m) return Bound(0.0, free_m);
   cell = cell_of(walk.at, cells.z);
   free_m = distance_in_cell(walk, cell, reach);
-  shape = textureLod(majorants, (cell + 0.5) / cells, 0.0).x;
-  return Bound(density_below(shape, land.threshold - trace.slopes.z * free_m), free_m);
+  vec2 most = textureLod(majorants, (cell + 0.5) / cells, 0.0).xy;
+  return Bound(most.y * density_below(most.x, land.threshold - trace.slopes.z * free_m), free_m);
 }
 
 // Of a Gaussian: as dense as at the nearest that a standard deviation's way can bring it to the middle.

@@ -311,6 +311,16 @@ class Bake(CliTest):
         self.assert_done(self.run_program("bake", self.write("other.json", DOCUMENT % 2)))
         self.assertEqual(len(self.bakes()), 2)
 
+    def test_layers_have_one_format_of_their_own(self):
+        layers = '{"layers": [{"noise": {"frequency": 4, "octaves": 2}}], ' + (DOCUMENT % 1)[1:]
+        result = self.run_program("bake", self.write("layers.json", layers), "--verbose", "--out", "baked")
+        self.assert_done(result)
+        rows = [line.split() for line in result.stdout.splitlines()[1:-1]]
+        self.assertEqual([row[:2] for row in rows], [["rg16f", "16x16x16"]])
+        self.assertEqual((self.folder / "baked" / "shape.exr").read_bytes()[:4], MAGIC["exr"])
+        low = self.write("low.json", '{"layers": [{"bottom_m": 10}]}')
+        self.assert_one_sentence(self.run_program("bake", low), 2, "low.json#/layers/0/bottom_m is 10: must be an altitude")
+
     def test_verbose_tells_what_each_format_costs(self):
         result = self.run_program("bake", self.sky, "--verbose")
         self.assert_done(result)

@@ -41,6 +41,7 @@ const View views[] = {
     {"fair-weather-cumulus", "fair-weather-cumulus", 24, 0.5, edges},
     {"mountain-lakes", "mountain-lakes", 24, 0.5, edges},
     {"ocean-evening", "ocean-evening", 24, 0.5, edges},
+    {"mackerel-sky", "mackerel-sky", 24, 0.5, edges},
     {"morning-puffs", "morning-puffs", 24, 0.5, edges},
     {"overcast", "overcast", 24, 0.5, edges},
     {"stratocumulus-deck", "stratocumulus-deck", 24, 0.5, edges},

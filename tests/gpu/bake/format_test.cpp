@@ -16,7 +16,7 @@ constexpr std::array<double, 3> weights{0.9, 0.5, 0.3};
 BakeRecipe mixed_recipe(int resolution = 16) {
   BakeRecipe recipe = small_recipe();
   recipe.resolution = resolution;
-  recipe.format = VolumeFormat::r16f;
+  recipe.format = ShapeFormat::r16f;
   for (std::size_t i = 0; i < 3; ++i) recipe.noise.channels[i + 1].weight = weights[i];
   return recipe;
 }

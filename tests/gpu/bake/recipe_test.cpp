@@ -86,6 +86,64 @@ TEST(Recipe, OfAMixedShapeChangesItsKeyWithTheWeights) {
   }
 }
 
+// As they were before there were layers: what lies in people's caches is still found.
+TEST(Recipe, WithoutLayersHasTheKeyItAlwaysHad) {
+  EXPECT_EQ(bake_key(bake_recipe(Cloudscape{})), "16028384f3e59adefae233a41e39435cf4acac251afb7b1345d3c6a616f2c70a");
+}
+
+// Of several layers all of it is baked in, each layer's threshold too.
+TEST(Recipe, OfLayersChangesItsKeyWithAllThatTheyAre) {
+  const auto key_with = [](const Change& change) {
+    return key_after([&](Cloudscape& c) {
+      c.layers = {Layer{}};
+      change(c);
+    });
+  };
+  const std::vector<Change> changes{
+      [](Cloudscape&) {},
+      [](Cloudscape& c) { c.seed = 2; },
+      [](Cloudscape& c) { c.layers.push_back({}); },
+      [](Cloudscape& c) { c.layers[0].bottom_m = 2000; },
+      [](Cloudscape& c) { c.layers[0].top_m = 2000; },
+      [](Cloudscape& c) { c.layers[0].noise.worley_mix = 0.1; },
+      [](Cloudscape& c) { c.layers[0].noise.frequency = 8; },
+      [](Cloudscape& c) { c.layers[0].noise.octaves = 1; },
+      [](Cloudscape& c) { c.layers[0].noise.lacunarity = 4; },
+      [](Cloudscape& c) { c.layers[0].noise.gain = 0.1; },
+      [](Cloudscape& c) { c.layers[0].height_rise = 5; },
+      [](Cloudscape& c) { c.layers[0].height_fall = 5; },
+      [](Cloudscape& c) { c.layers[0].coverage = 0.1; },
+      [](Cloudscape& c) { c.layers[0].density = 0.1; },
+      [](Cloudscape& c) { c.shape.coverage = 0.1; },
+      [](Cloudscape& c) { c.shape.threshold = 0.1; },
+      [](Cloudscape& c) { c.shape.bottom_m = 2000; },
+      [](Cloudscape& c) { c.shape.top_m = 2000; },
+      [](Cloudscape& c) { c.shape.density = 0.1; },
+      [](Cloudscape& c) { c.shape.height_rise = 10; },
+      [](Cloudscape& c) { c.shape.towers.clear(); },
+      [](Cloudscape& c) { c.noise.channels[0].worley_mix = 0.5; },
+      [](Cloudscape& c) { c.noise.channels[1].weight = 2; },
+  };
+  std::set<std::string> keys{key_after([](Cloudscape&) {})};
+  for (const Change& change : changes) keys.insert(key_with(change));
+  EXPECT_EQ(keys.size(), changes.size() + 1);
+  const std::string key = key_with([](Cloudscape&) {});
+  EXPECT_EQ(key, key_with([](Cloudscape& c) { c.medium.extinction_per_m = 0.1; }));
+  EXPECT_EQ(key, key_with([](Cloudscape& c) { c.shape.coverage_variation.amount = 0.5; }));
+  EXPECT_EQ(key, key_with([](Cloudscape& c) { c.volume.format = VolumeFormat::r16f; })) << "they have one of their own";
+}
+
+// A layer of its own, of less than all of the volume or of less density, is of the same kind as several.
+TEST(Recipe, OfAnOwnLayerThatIsNotAllOfTheVolumeIsLayered) {
+  Cloudscape sky;
+  EXPECT_TRUE(bake_recipe(sky).layers.empty());
+  sky.shape.top_m = 2000;
+  EXPECT_EQ(bake_recipe(sky).layers.size(), 1U);
+  EXPECT_EQ(bake_recipe(sky).layers[0].top, 0.5);
+  sky.volume.kind = VolumeKind::sphere;
+  EXPECT_TRUE(bake_recipe(sky).layers.empty());
+}
+
 TEST(Recipe, ChangesItsKeyWithTheVersionOfTheShaders) {
   BakeRecipe recipe;
   const std::string key = bake_key(recipe);

@@ -1,5 +1,5 @@
 // The switchable techniques of the march (Olajos 2.4, 2.5): each does what it says, and nothing else.
-#include "fixture.h"
+#include "layered_clouds.h"
 #include "render/block_values.h"
 
 namespace cloudscape::render {
@@ -46,10 +46,10 @@ const CameraPose below{{500, 200, 60}, 30, 25, 0}, above{{0, 0, 5000}, 60, -20, 
 
 // Small steps lie at the same places however clear air is crossed, so that only a cloud that was missed can differ.
 // The threshold leaves room for the rounding of distances.
-void expect_no_cloud_is_missed(Across across, const auto& render) {
+void expect_no_cloud_is_missed(Across across, const auto& document, const auto& render) {
   for (const double variation : {0.0, 0.6}) {
     for (const CameraPose& pose : {below, above, inside, grazing, along_the_base}) {
-      const Cloudscape sky = scattered_clouds(variation);
+      const Cloudscape sky = document(variation);
       const Frame with = render(small_steps(sky, pose, across)),
                   without = render(small_steps(sky, pose, Across::small_steps));
       double sum = 0, cloud = 0;
@@ -65,8 +65,21 @@ void expect_no_cloud_is_missed(Across across, const auto& render) {
   }
 }
 
-TEST_F(Technique, StructureMissesNoCloud) { expect_no_cloud_is_missed(Across::structure, render); }
-TEST_F(Technique, DistanceFieldMissesNoCloud) { expect_no_cloud_is_missed(Across::distances, render); }
+Cloudscape scattered_layers(double variation) {
+  Cloudscape sky = layered_clouds();
+  sky.shape.coverage_variation.amount = variation;
+  sky.ground.kind = GroundKind::none;
+  return sky;
+}
+
+TEST_F(Technique, StructureMissesNoCloud) {
+  expect_no_cloud_is_missed(Across::structure, scattered_clouds, render);
+  expect_no_cloud_is_missed(Across::structure, scattered_layers, render);
+}
+TEST_F(Technique, DistanceFieldMissesNoCloud) {
+  expect_no_cloud_is_missed(Across::distances, scattered_clouds, render);
+  expect_no_cloud_is_missed(Across::distances, scattered_layers, render);
+}
 
 // Steps are bounded, so that what a ray sees tells how many it took.
 TEST_F(Technique, DistancesTakeFewerStepsThanTheStructure) {

@@ -1,4 +1,5 @@
 // The path tracer in noise clouds, against the march with steps so small that it has no error of its own.
+#include "gpu/render/layered_clouds.h"
 #include "traced.h"
 
 namespace cloudscape::render {
@@ -20,6 +21,18 @@ Cloudscape soft_clouds() {
   sky.ground.kind = GroundKind::none;
   sky.sun.irradiance = glm::dvec3(1);
   sky.sun.disc = false;
+  return sky;
+}
+
+// The same of two layers, the upper one thinner.
+Cloudscape soft_layers() {
+  Cloudscape sky = soft_clouds();
+  const Cloudscape layered = layered_clouds();
+  sky.volume.resolution = layered.volume.resolution;
+  sky.shape.top_m = layered.shape.top_m;
+  sky.layers = layered.layers;
+  sky.layers[0].coverage = 0.9, sky.shape.coverage = 0.6;
+  sky.medium.extinction_per_m = 0.04;
   return sky;
 }
 
@@ -60,39 +73,55 @@ TEST_F(TracedNoise, LetsThroughWhatTheMarchLetsThrough) {
     }
 }
 
-TEST_F(TracedNoise, ScattersOnceAsTheMarchDoes) {
+TEST_F(TracedNoise, LetsThroughSeveralLayersWhatTheMarchDoes) {
   for (const CameraPose& pose : poses) {
-    const FrameRequest request = narrow(soft_clouds(), pose, 256);
-    const Measured once = measured(traced(request));
-    const double expected = mean_of(traced(marched(request)), 0);
-    EXPECT_NEAR(once.over(expected), 1, 0.01 + 3 * once.error / expected);
+    const FrameRequest request = narrow(soft_layers(), pose, 128);
+    const double traced_share = mean_of(traced(request), 3);
+    EXPECT_NEAR(traced_share, mean_of(traced(marched(request)), 3), 0.01);
+    EXPECT_GT(traced_share, 0.05);
   }
+}
+
+TEST_F(TracedNoise, ScattersOnceAsTheMarchDoes) {
+  for (const Cloudscape& sky : {soft_clouds(), soft_layers()})
+    for (const CameraPose& pose : poses) {
+      const FrameRequest request = narrow(sky, pose, 256);
+      const Measured once = measured(traced(request));
+      const double expected = mean_of(traced(marched(request)), 0);
+      EXPECT_NEAR(once.over(expected), 1, 0.01 + 3 * once.error / expected);
+    }
 }
 
 // Clouds that do not absorb, in a sky that is the same all round, cannot be seen; and no density exceeds its bound on
 // the way, whether they lean or not.
-TEST_F(TracedNoise, WhiteFurnace) {
-  for (const bool tiling : {true, false})
-    for (const double variation : {0.0, 0.8}) {
-      Cloudscape sky = small_clouds();
-      sky.volume.tiling = tiling;
-      sky.wind.shear_per_s = variation > 0 ? 0.02 : 0;
-      sky.shape.coverage_variation = {variation, 20000};
-      sky.sky = {SkyKind::uniform, glm::dvec3(0.5)};
-      sky.ground.kind = GroundKind::none;
-      sky.sun.irradiance = glm::dvec3(0);
-      const FrameRequest request = traced_picture(sky, {{2000, 2000, 500}, 45, 15, 0}, {32, 16}, 16);
-      auto job = renderer().begin(request);
-      while (!renderer().advance(*job)) {
-      }
-      EXPECT_EQ(job->trace->counts.above_majorant, 0U);
-      EXPECT_EQ(job->trace->counts.samples, 32U * 16 * 16);
-      const Frame frame = renderer().collect(renderer().finish(std::move(job)));
-      renderer().forget(request.stream);
-      EXPECT_GT(mean_of(frame, 3), 0.05);
-      for (int pixel = 0; pixel < 32 * 16; ++pixel) ASSERT_NEAR(red(frame, pixel), 0.5, 1e-5);
+class TracedFurnace : public TraceTest,
+                      public testing::WithParamInterface<std::pair<bool, bool>> {};  // tiling, layered
+
+TEST_P(TracedFurnace, IsWhite) {
+  const auto [tiling, layered] = GetParam();
+  for (const double variation : {0.0, 0.8}) {
+    Cloudscape sky = layered ? layered_clouds() : small_clouds();
+    sky.volume.tiling = tiling;
+    sky.wind.shear_per_s = variation > 0 ? 0.02 : 0;
+    sky.shape.coverage_variation = {variation, 20000};
+    sky.sky = {SkyKind::uniform, glm::dvec3(0.5)};
+    sky.ground.kind = GroundKind::none;
+    sky.sun.irradiance = glm::dvec3(0);
+    const FrameRequest request = traced_picture(sky, {{2000, 2000, 500}, 45, 15, 0}, {32, 16}, 16);
+    auto job = renderer().begin(request);
+    while (!renderer().advance(*job)) {
     }
+    EXPECT_EQ(job->trace->counts.above_majorant, 0U);
+    EXPECT_EQ(job->trace->counts.samples, 32U * 16 * 16);
+    const Frame frame = renderer().collect(renderer().finish(std::move(job)));
+    renderer().forget(request.stream);
+    EXPECT_GT(mean_of(frame, 3), 0.05);
+    for (int pixel = 0; pixel < 32 * 16; ++pixel) ASSERT_NEAR(red(frame, pixel), 0.5, 1e-5);
+  }
 }
+
+INSTANTIATE_TEST_SUITE_P(Clouds, TracedFurnace,
+                         testing::Values(std::pair(true, false), std::pair(false, false), std::pair(true, true)));
 
 }  // namespace
 }  // namespace cloudscape::render

@@ -112,7 +112,7 @@ TEST_F(VolumeFiles, ThatAreNotThereOrElsewhereAreRefused) {
 
 TEST_F(VolumeFiles, BecomeSharesOfTheirGreatestDensity) {
   BakeRecipe asked;
-  asked.format = VolumeFormat::r16f;
+  asked.format = ShapeFormat::r16f;
   const BakedTexels texels = grid_texels(asked, {{2, 1, 2}, {0, 5, 20, 10}, {1, 2, 3}, {4, 5, 6}});
   ASSERT_TRUE(texels.grid);
   EXPECT_EQ(texels.grid->greatest_density, 20);

@@ -131,7 +131,7 @@ TEST(SliceAtlas, HoldsAVolumeOfHalves) {
     texels.push_back(static_cast<std::uint8_t>(value.bits() & 0xff));
     texels.push_back(static_cast<std::uint8_t>(value.bits() >> 8));
   }
-  const std::vector<std::uint8_t> exr = encode::slice_atlas_exr(texels, 3, 2, {}, VolumeFormat::r16f);
+  const std::vector<std::uint8_t> exr = encode::slice_atlas_exr(texels, 3, 2, {}, ShapeFormat::r16f);
   Bytes bytes(exr);
   Imf::InputFile file(bytes);
   ASSERT_EQ(file.header().dataWindow().max.x, 5);
@@ -147,10 +147,34 @@ TEST(SliceAtlas, HoldsAVolumeOfHalves) {
   }
 }
 
+// Of several layers: coverage in red, density in green.
+TEST(SliceAtlas, HoldsAVolumeOfTwoHalves) {
+  std::vector<std::uint8_t> texels;
+  for (int i = 0; i < 2 * 2 * 2 * 2; ++i) {
+    const half value(0.37F * static_cast<float>(i) - 1);
+    texels.push_back(static_cast<std::uint8_t>(value.bits() & 0xff));
+    texels.push_back(static_cast<std::uint8_t>(value.bits() >> 8));
+  }
+  const std::vector<std::uint8_t> exr = encode::slice_atlas_exr(texels, 2, 2, {}, ShapeFormat::rg16f);
+  Bytes bytes(exr);
+  Imf::InputFile file(bytes);
+  std::vector<half> red(4 * 2), green(4 * 2);
+  Imf::FrameBuffer buffer;
+  for (auto& [name, pixels] : {std::pair{"R", &red}, std::pair{"G", &green}})
+    buffer.insert(name, Imf::Slice(Imf::HALF, reinterpret_cast<char*>(pixels->data()), sizeof(half), 4 * sizeof(half)));
+  file.setFrameBuffer(buffer);
+  file.readPixels(0, 1);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const std::size_t x = i % 2, north = i / 2 % 2, z = i / 4, pixel = (1 - north) * 4 + 2 * z + x;
+    EXPECT_EQ(red[pixel].bits(), half(0.37F * static_cast<float>(2 * i) - 1).bits()) << i;
+    EXPECT_EQ(green[pixel].bits(), half(0.37F * static_cast<float>(2 * i + 1) - 1).bits()) << i;
+  }
+}
+
 TEST(SliceAtlas, RefusesAVolumeOfAnotherSize) {
   EXPECT_THROW(encode::slice_atlas_exr(volume(4, 4), 4, 5, {}), Error);
   EXPECT_THROW(encode::slice_atlas_exr({}, 1, 1, {}), Error);
-  EXPECT_THROW(encode::slice_atlas_exr(volume(4, 4), 4, 4, {}, VolumeFormat::r16f), Error);
+  EXPECT_THROW(encode::slice_atlas_exr(volume(4, 4), 4, 4, {}, ShapeFormat::r16f), Error);
 }
 
 }  // namespace

@@ -35,8 +35,9 @@ class Library : public testing::Test {
 
 TEST_F(Library, HoldsPresetsThatIntroduceThemselves) {
   const CloudscapeLibrary library{{}};
-  for (const char* name : {"alpine-morning", "fair-weather-cumulus", "towering-congestus", "stratocumulus-deck",
-                           "sunset-broken", "morning-puffs", "overcast", "ocean-evening", "mountain-lakes"}) {
+  for (const char* name :
+       {"alpine-morning", "fair-weather-cumulus", "towering-congestus", "stratocumulus-deck", "sunset-broken",
+        "morning-puffs", "overcast", "ocean-evening", "mountain-lakes", "mackerel-sky"}) {
     EXPECT_TRUE(has(library, name)) << name;
     EXPECT_EQ(library.text(name).substr(0, 3), "// ") << name << " opens with a sentence about its sky";
   }

@@ -34,7 +34,7 @@ TEST(VolumeFileNames, MayStandUnusedButNotPointElsewhere) {
 }
 
 TEST(VolumeFiles, TakeTwoBytesAVoxel) {
-  const auto bytes = [](const std::string& volume) { return shape_bytes(parsed(volume).volume); };
+  const auto bytes = [](const std::string& volume) { return shape_bytes(parsed(volume)); };
   EXPECT_EQ(bytes(R"({"kind": "grid", "grid": {"file": "a.raw", "size": [512, 7, 3]}})"), 2u * 512 * 7 * 3);
   EXPECT_EQ(bytes(R"({"kind": "vdb", "grid": {"file": "a.vdb", "resolution": 100}})"), 2u * 100 * 100 * 100);
   EXPECT_THAT(sentence(R"({"kind": "grid", "grid": {"file": "a.raw", "size": [513, 1, 1]}})"),

@@ -1,0 +1,19 @@
+// What the shaders of the shape noise read: tables of a seed and of towers, and their block's values.
+#pragma once
+#include "bake/blocks.h"
+#include "bake/recipe.h"
+#include "gpu/texture.h"
+
+namespace cloudscape::bake {
+
+struct NoiseInputs {
+  explicit NoiseInputs(const BakeRecipe& recipe);
+  gpu::Texture permutation, towers;  // at bindings 0 and 1
+};
+
+BakeBlock bake_block(const BakeRecipe& recipe);
+
+// tuned: slices of this shape take about 50 ms on two cores, so that a frame rendered in between is not late.
+int slab_of(int resolution);
+
+}  // namespace cloudscape::bake
