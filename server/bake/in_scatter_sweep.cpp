@@ -51,6 +51,18 @@ struct Sweeper::Group {
 
 namespace {
 
+// The point beside i, around the edge if that is out of the layer.
+struct Neighbour {
+  int index;
+  bool out;
+};
+Neighbour neighbour_of(int i, int towards, int count) {
+  const int next = i + towards;
+  if (next < 0) return {next + count, true};
+  if (next >= count) return {next - count, true};
+  return {next, false};
+}
+
 // use(point, index): each point of a layer, and where the grid has it.
 template <class Group>
 void each_point(const Group& group, int layer, auto&& use) {
@@ -81,6 +93,7 @@ class Sweeper::Hand {
   };
   void begin(const Group& group, std::span<const Moments> source, std::span<const Colours> crossing);
   void load(const Group& group, std::span<const Moments> source, int layer);
+  void mix_rows(const Plane& before, std::size_t row, std::size_t next_row, float share);
   void cross(const Group& group, std::size_t number);
   void add(const Group& group, int layer);
 
@@ -88,6 +101,12 @@ class Sweeper::Hand {
   std::vector<Plane> now_, before_;  // by direction of a group
   std::vector<float> extinction_, extinction_before_;
   std::vector<Moments> moments_;  // of the layer: its sources, then what came to it
+  // Of the layer before, where paths from a row meet it.
+  struct Crossed {
+    Colours radiance, source;
+    float extinction;
+  };
+  std::vector<Crossed> mixed_;
   Arrived arrived_;
 };
 
@@ -150,44 +169,42 @@ void Sweeper::Hand::load(const Group& group, std::span<const Moments> source, in
   }
 }
 
+// Between two rows of the layer before, as the path meets it.
+void Sweeper::Hand::mix_rows(const Plane& before, std::size_t row, std::size_t next_row, float share) {
+  const Colours own = all_of(1 - share), next = all_of(share);
+  for (std::size_t b = 0; b < mixed_.size(); ++b)
+    mixed_[b] = {own * before.radiance[row + b] + next * before.radiance[next_row + b],
+                 own * before.source[row + b] + next * before.source[next_row + b],
+                 (1 - share) * extinction_before_[row + b] + share * extinction_before_[next_row + b]};
+}
+
 // Radiance in the points of a layer, from that in the layer before.
 void Sweeper::Hand::cross(const Group& group, std::size_t number) {
   const Path& path = group.paths[number];
   Plane& now = now_[number];
-  const Plane& before = before_[number];
   const auto [share_b, share_c] = path.stencil.shares;
-  const std::array<float, 4> shares{(1 - share_b) * (1 - share_c), share_b * (1 - share_c), (1 - share_b) * share_c,
-                                    share_b * share_c};
+  const Colours own = all_of(1 - share_b), next = all_of(share_b);
   const float half_m = 0.5F * path.stencil.length_m;
-  const int along_b = path.stencil.towards[path.stencil.others[0]],
-            along_c = path.stencil.towards[path.stencil.others[1]];
+  const auto [axis_b, axis_c] = path.stencil.others;
   const auto [count_b, count_c] = group.counts;
-  const bool wraps_b = grid_.periodic, wraps_c = grid_.periodic && path.stencil.others[1] != 2;
+  const bool wraps_b = grid_.periodic, wraps_c = grid_.periodic && axis_c != 2;
+  mixed_.resize(static_cast<std::size_t>(count_b));
   for (int c = 0; c < count_c; ++c) {
-    int next_c = c + along_c;
-    const bool out_c = next_c < 0 || next_c >= count_c;
-    if (out_c) next_c = (next_c + count_c) % count_c;
-    const std::size_t row = static_cast<std::size_t>(c * count_b),
-                      next_row = static_cast<std::size_t>(next_c * count_b);
+    const Neighbour beside = neighbour_of(c, path.stencil.towards[axis_c], count_c);
+    const std::size_t row = static_cast<std::size_t>(c * count_b);
+    const bool outside = beside.out && !wraps_c;
+    if (!outside) mix_rows(before_[number], row, static_cast<std::size_t>(beside.index * count_b), share_c);
     for (int b = 0; b < count_b; ++b) {
-      int next_b = b + along_b;
-      const bool out_b = next_b < 0 || next_b >= count_b;
-      if (out_b) next_b = (next_b + count_b) % count_b;
+      const Neighbour ahead = neighbour_of(b, path.stencil.towards[axis_b], count_b);
       const std::size_t at = row + static_cast<std::size_t>(b);
       now.radiance[at] = path.around;
-      if ((out_b && !wraps_b) || (out_c && !wraps_c)) continue;
-      const std::array<std::size_t, 4> from{at, row + static_cast<std::size_t>(next_b),
-                                            next_row + static_cast<std::size_t>(b),
-                                            next_row + static_cast<std::size_t>(next_b)};
-      Colours came{}, source{};
-      float extinction = extinction_[at];
-      for (std::size_t i = 0; i < 4; ++i) {
-        came += all_of(shares[i]) * before.radiance[from[i]];
-        source += all_of(shares[i]) * before.source[from[i]];
-        extinction += shares[i] * extinction_before_[from[i]];
-      }
+      if (outside || (ahead.out && !wraps_b)) continue;
+      const Crossed &here = mixed_[static_cast<std::size_t>(b)], &there = mixed_[static_cast<std::size_t>(ahead.index)];
+      const float extinction = extinction_[at] + (1 - share_b) * here.extinction + share_b * there.extinction;
       const Step step = step_of(half_m * extinction);
-      now.radiance[at] = came * all_of(step.kept) + source * all_of(step.far) + now.source[at] * all_of(step.near);
+      now.radiance[at] = (own * here.radiance + next * there.radiance) * all_of(step.kept) +
+                         (own * here.source + next * there.source) * all_of(step.far) +
+                         now.source[at] * all_of(step.near);
     }
   }
 }
