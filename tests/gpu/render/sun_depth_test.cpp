@@ -12,7 +12,8 @@
 namespace cloudscape::render {
 namespace {
 
-constexpr int across = SunDepths::across, layers = SunDepths::layers;
+constexpr int across = CloudDensities::across, layers = CloudDensities::layers;
+constexpr int slices = layers / CloudDensities::layers_per_slice;  // one level: coverage is the same everywhere
 constexpr double radius_m = 6360000;
 
 Cloudscape with_sun(Cloudscape sky, double azimuth_deg, double elevation_deg) {
@@ -41,6 +42,12 @@ double metres_in_shell(double altitude_m, double top_m, double sine) {
   return std::sqrt(r * r * sine * sine + out * out - r * r) - r * sine;
 }
 
+struct Depths {
+  explicit Depths(gpu::ShaderLibrary& shaders) : densities(shaders), depths(shaders, densities) {}
+  CloudDensities densities;
+  SunDepths depths;
+};
+
 class SunDepthTest : public RenderTest {
  protected:
   static FrameRequest request_of(const Cloudscape& sky, bool may_lag = false) {
@@ -54,11 +61,11 @@ class SunDepthTest : public RenderTest {
     return stack().bakes.find(recipe);
   }
   // Calls of `prepare` that it took; -1: more than there is to do.
-  static int settle(SunDepths& depths, const FrameRequest& request, std::shared_ptr<const gpu::Texture>& depth) {
+  static int settle(Depths& of, const FrameRequest& request, std::shared_ptr<const gpu::Texture>& depth) {
     const auto baked = baked_of(*request.cloudscape);
     const CloudBlock cloud = cloud_block(request, *baked);
     for (int calls = 1; calls < 1000; ++calls)
-      if (depths.prepare({request, cloud, baked}, depth)) return calls;
+      if (of.depths.prepare({request, cloud, baked}, depth)) return calls;
     return -1;
   }
   static std::vector<float> values_of(const gpu::Texture& texture) {
@@ -68,7 +75,7 @@ class SunDepthTest : public RenderTest {
     return values;
   }
   static std::vector<float> depth_m(const Cloudscape& sky) {
-    SunDepths depths(stack().shaders);
+    Depths depths(stack().shaders);
     std::shared_ptr<const gpu::Texture> depth;
     EXPECT_GT(settle(depths, request_of(sky), depth), 1);
     return values_of(*depth);
@@ -161,28 +168,29 @@ TEST_F(SunDepthTest, OfBrokenCloudsItIsWhatAFineMarchSees) {
 }
 
 TEST_F(SunDepthTest, EverySliceIsAsLongAsTheOthersAndAMovedSunBakesNoDensity) {
-  SunDepths depths(stack().shaders);
+  Depths depths(stack().shaders);
   std::shared_ptr<const gpu::Texture> first, second, again;
-  constexpr int slices = layers / SunDepths::layers_per_slice;  // one level: coverage is the same everywhere
   EXPECT_EQ(settle(depths, request_of(broken_clouds(10, 40)), first), 2 * slices);
-  EXPECT_EQ(depths.slices(), 2 * slices);
+  EXPECT_EQ(depths.densities.slices(), slices);
+  EXPECT_EQ(depths.depths.slices(), slices);
   EXPECT_EQ(settle(depths, request_of(broken_clouds(20, 30)), second), slices);
-  EXPECT_EQ(depths.slices(), 3 * slices);
+  EXPECT_EQ(depths.densities.slices(), slices);
+  EXPECT_EQ(depths.depths.slices(), 2 * slices);
   EXPECT_EQ(settle(depths, request_of(broken_clouds(10, 40)), again), 1) << "it is kept";
   EXPECT_EQ(again, first);
   EXPECT_EQ(values_of(*second), depth_m(broken_clouds(20, 30))) << "the same bytes whatever came before";
 }
 
 TEST_F(SunDepthTest, AFrameThatMayLagTakesTheLastThatIsDoneAndIsRightOnceTheSunStands) {
-  SunDepths depths(stack().shaders);
+  Depths depths(stack().shaders);
   std::shared_ptr<const gpu::Texture> before;
   settle(depths, request_of(broken_clouds(10, 40)), before);
   int waits = 0;
   for (int frame = 0; frame < 10; ++frame) {
     std::shared_ptr<const gpu::Texture> depth;
-    const int done = depths.slices();
+    const int done = depths.depths.slices();
     waits += settle(depths, request_of(broken_clouds(10 + frame, 40 - frame), true), depth) - 1;
-    EXPECT_LE(depths.slices(), done + 1) << "one slice a frame";
+    EXPECT_LE(depths.depths.slices(), done + 1) << "one slice a frame";
     if (frame == 1) {
       EXPECT_EQ(depth, before);
     }

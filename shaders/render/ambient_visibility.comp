@@ -1,0 +1,43 @@
+// Shares of the light above, beside and below (the parts of render/light_directions.glsl: above 30 degrees, from there to the horizon,
+// and below it) that come to points of the clouds' tile through the cloud between, scattered on the way or not.
+layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
+#include "render/cloud_grid.glsl"
+#include "render/slab.glsl"
+layout(binding = 0, rgba32f) uniform writeonly image3D target;
+
+// tuned: twice as many of either change a picture by less than one sees. Steps grow with the distance: near cloud matters most.
+const int azimuths = 6;
+const float most_steps = 8.0;
+
+float transmitted(GridPoint point, vec3 direction) {
+  float end = direction.z > 0.0 ? sun_grid.levels.w : sun_grid.levels.z;
+  float end_m = (end - point.place.z) / (cloud.layer.z * direction.z);
+  end_m = min(end_m, within_tile(point.place, direction).y);
+  float steps = clamp(ceil(cells_between(point.place, place_towards(point.place, direction, end_m))), 1.0, most_steps);
+  float sum = 0.0;
+  for (float i = 0.5; i < steps; ++i) {
+    float share = i / steps;
+    sum += 2.0 * share * grid_density(place_towards(point.place, direction, end_m * share * share), point.level);
+  }
+  return slab_transmittance(cloud.medium.x * sum * end_m / steps);
+}
+
+// Mean over the azimuths; every other of them, from the first on, where the elevation is steep.
+float transmitted_at(GridPoint point, float sine, float first, int count) {
+  float cosine = sqrt(1.0 - sine * sine), sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    float azimuth = 2.0 * pi * (float(i) + first) / float(count);
+    sum += transmitted(point, vec3(cosine * cos(azimuth), cosine * sin(azimuth), sine));
+  }
+  return sum / float(count);
+}
+
+void main() {
+  ivec3 texel = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, volume_pass.z_begin);
+  if (!is_in_grid(texel, imageSize(target))) return;
+  GridPoint point = grid_point(texel, imageSize(target));
+  float above = transmitted_at(point, 0.75, 0.5, azimuths / 2);
+  float beside = transmitted_at(point, 0.25, 0.0, azimuths);
+  float below = 0.5 * (transmitted_at(point, -0.25, 0.5, azimuths / 2) + transmitted_at(point, -0.75, 0.0, azimuths / 2));
+  imageStore(target, texel, vec4(above, beside, below, 0.0));
+}
