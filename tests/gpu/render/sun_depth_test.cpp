@@ -2,12 +2,8 @@
 // baked.
 #include "render/sun_depth.h"
 
-#include <cstring>
-#include <numeric>
-
-#include "gpu/render/fixture.h"
+#include "gpu/render/cloud_grid.h"
 #include "render/block_values.h"
-#include "render/density_export.h"
 
 namespace cloudscape::render {
 namespace {
@@ -15,26 +11,6 @@ namespace {
 constexpr int across = CloudDensities::across, layers = CloudDensities::layers;
 constexpr int slices = layers / CloudDensities::layers_per_slice;  // one level: coverage is the same everywhere
 constexpr double radius_m = 6360000;
-
-Cloudscape with_sun(Cloudscape sky, double azimuth_deg, double elevation_deg) {
-  sky.sun.azimuth_deg = azimuth_deg, sky.sun.elevation_deg = elevation_deg;
-  return sky;
-}
-
-// Density 1 between 1000 m and 3000 m.
-Cloudscape full_layer(double sun_deg) {
-  Cloudscape sky = with_sun(small_clouds(), 30, sun_deg);
-  sky.shape.threshold = -1, sky.detail.strength = 0;
-  return sky;
-}
-
-// Ten clouds or so, each some cells wide.
-Cloudscape broken_clouds(double azimuth_deg, double elevation_deg) {
-  Cloudscape sky = with_sun(small_clouds(), azimuth_deg, elevation_deg);
-  sky.volume.resolution = 64;
-  sky.shape.coverage = 0.4;
-  return sky;
-}
 
 // Between a point of this altitude and the top of the layer.
 double metres_in_shell(double altitude_m, double top_m, double sine) {
@@ -48,17 +24,12 @@ struct Depths {
   SunDepths depths;
 };
 
-class SunDepthTest : public RenderTest {
+class SunDepthTest : public CloudGridTest {
  protected:
   static FrameRequest request_of(const Cloudscape& sky, bool may_lag = false) {
     FrameRequest request = one_ray(sky, {{0, 0, 100}, 0, 0, 0});
     request.light_may_lag = may_lag;
     return request;
-  }
-  static std::shared_ptr<const bake::BakedCloudscape> baked_of(const Cloudscape& sky) {
-    const bake::BakeRecipe recipe = stack().bakes.recipe_of(sky);
-    while (!stack().bakes.find(recipe)) stack().bakes.advance(recipe);
-    return stack().bakes.find(recipe);
   }
   // Calls of `prepare` that it took; -1: more than there is to do.
   static int settle(Depths& of, const FrameRequest& request, std::shared_ptr<const gpu::Texture>& depth) {
@@ -67,12 +38,6 @@ class SunDepthTest : public RenderTest {
     for (int calls = 1; calls < 1000; ++calls)
       if (of.depths.prepare({request, cloud, baked}, depth)) return calls;
     return -1;
-  }
-  static std::vector<float> values_of(const gpu::Texture& texture) {
-    const std::vector<std::uint8_t> bytes = texture.download();
-    std::vector<float> values(bytes.size() / sizeof(float));
-    std::memcpy(values.data(), bytes.data(), bytes.size());
-    return values;
   }
   static std::vector<float> depth_m(const Cloudscape& sky) {
     Depths depths(stack().shaders);
@@ -92,55 +57,6 @@ TEST_F(SunDepthTest, OfAFullLayerItIsTheWayThroughTheShell) {
       EXPECT_NEAR(depth[cell], exact_m, 0.002 * exact_m + 1e-3) << "sun " << sun_deg << ", layer " << layer;
     }
   }
-}
-
-// All voxels of a tile, and a march through them by nearest voxels that knows nothing of the device's.
-struct Voxels {
-  std::vector<float> density;
-  glm::ivec3 size;
-  double voxel_m;
-
-  double at(const glm::dvec3& p_m) const {  // from the tile's corner
-    const int z = static_cast<int>(std::floor(p_m.z / voxel_m));
-    if (z < 0 || z >= size.z) return 0;
-    const auto wrapped = [&](double m, int n) {
-      const int i = static_cast<int>(std::floor(m / voxel_m)) % n;
-      return i < 0 ? i + n : i;
-    };
-    const int index = (z * size.y + wrapped(p_m.y, size.y)) * size.x + wrapped(p_m.x, size.x);
-    return density[static_cast<std::size_t>(index)];
-  }
-  double march_m(const glm::dvec3& from_m, const glm::dvec3& light) const {
-    const double step_m = 0.3 * voxel_m;
-    double sum_m = 0;
-    for (double t = 0.5 * step_m; from_m.z + t * light.z < size.z * voxel_m; t += step_m)
-      sum_m += step_m * at(from_m + t * light);
-    return sum_m;
-  }
-};
-
-Voxels voxels_of(DensityExport source) {
-  Voxels voxels{{}, source.size(), source.voxel_m()};
-  for (int z = 0; z < source.size().z; z += DensityExport::slab) {
-    const std::vector<float> slab = source.slices(z);
-    voxels.density.insert(voxels.density.end(), slab.begin(), slab.end());
-  }
-  return voxels;
-}
-
-struct Likeness {
-  double mean_ratio, correlation;
-};
-
-Likeness likeness(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto mean = [](const std::vector<double>& v) { return std::reduce(v.begin(), v.end()) / double(v.size()); };
-  const double mean_a = mean(a), mean_b = mean(b);
-  double aa = 0, bb = 0, ab = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    aa += (a[i] - mean_a) * (a[i] - mean_a), bb += (b[i] - mean_b) * (b[i] - mean_b);
-    ab += (a[i] - mean_a) * (b[i] - mean_b);
-  }
-  return {mean_a / mean_b, ab / std::sqrt(aa * bb)};
 }
 
 // Detail included, which the volume has as a mean only. The last columns of the tile see over its edge.
