@@ -69,7 +69,7 @@ TEST_F(AmbientVisibilityTest, OfAFullLayerItIsThatOfSlabs) {
     const double under_m = 2000.0 * layer / (layers - 1), over_m = 2000 - under_m;
     const Parts seen = parts_at(values, 7, 30, layer);
     EXPECT_NEAR(seen.above, slab(over_m, 0.75), 2e-3) << "layer " << layer;
-    EXPECT_NEAR(seen.beside, 0.5 * (slab(over_m, 0.1) + slab(over_m, 0.4)), 2e-3) << "layer " << layer;
+    EXPECT_NEAR(seen.beside, 0.5 * (slab(over_m, 0.05) + slab(over_m, 0.25)), 2e-3) << "layer " << layer;
     EXPECT_NEAR(seen.below, 0.5 * (slab(under_m, 0.25) + slab(under_m, 0.75)), 2e-3) << "layer " << layer;
     EXPECT_TRUE(seen.above > lower.above && seen.beside > lower.beside && seen.below < lower.below) << layer;
     lower = seen;
