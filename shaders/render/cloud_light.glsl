@@ -4,11 +4,10 @@
 #include "render/medium.glsl"
 #include "render/in_scatter.glsl"
 #include "render/sun_depth.glsl"
-#include "render/sky.glsl"
+#include "render/ambient.glsl"
 #include "render/phase_table.glsl"
 #include "lib/transport.glsl"
 layout(binding = 6) uniform sampler2D cloud_sun_table;
-layout(binding = 15) uniform sampler3D ambient_visibility;  // render/ambient_visibility.comp
 
 const int light_single = 0;
 const int light_olajos = 1;
@@ -75,9 +74,7 @@ struct RayLight {
   vec3 phase;                      // of the first order, by colour
   vec4 octaves_low, octaves_high;  // of the others: weight times phase
   float little;                    // of light that was scattered but little, for the in-scatter volume
-  vec3 above, beside, below;       // of sky and ground, as far as it is scattered towards the camera
-  mat3 parts;                      // the same, scattered evenly
-  vec3 part_weights;               // above, beside, below: as of a light of 1 from everywhere
+  AmbientLight around;
 };
 
 float octave_phase(float cos_theta, float broadening) {
@@ -87,16 +84,6 @@ vec4 octave_phases(float cos_theta, vec4 broadening) {
   return vec4(octave_phase(cos_theta, broadening.x), octave_phase(cos_theta, broadening.y),
               octave_phase(cos_theta, broadening.z), octave_phase(cos_theta, broadening.w));
 }
-
-// Light of a part of the sphere goes on in its own direction rather than back: a phase function of two terms, (1 + 3 g cos) / 4 pi,
-// which is never negative up to g = 1/3. tuned: what is left of the droplets' asymmetry after some orders.
-float ambient_asymmetry() {
-  return phase_has_asymmetry() ? clamp(0.4 * cloud.phase.x, -0.33, 0.33) : 0.0;
-}
-// `solid_angle`: the part's share of the sphere. `cosine`: mean of that between its directions and the view ray's. All weights add up to 1.
-float ambient_weight(float solid_angle, float cosine, float g) { return solid_angle * (1.0 + 3.0 * g * cosine); }
-
-const vec3 part_share = vec3(0.25, 0.25, 0.5);  // of the sphere: above, beside, below
 
 RayLight ray_light(vec3 direction) {
   RayLight light;
@@ -110,17 +97,7 @@ RayLight ray_light(vec3 direction) {
   light.octaves_high = vec4(0.0);
   if (cloud.octave_weight_high.x > 0.0)
     light.octaves_high = cloud.octave_weight_high * octave_phases(cos_theta, cloud.octave_asymmetry_high);
-  vec2 azimuth = from_light_azimuth(direction.xy);
-  float g = ambient_asymmetry();
-  vec3 beside = surroundings(1) + surroundings(2) + surroundings(3) + surroundings(4);
-  light.parts = mat3(surroundings(0) * part_share.x, beside * (0.25 * part_share.y), surroundings(5) * part_share.z);
-  light.part_weights = part_share * (1.0 + 3.0 * g * direction.z * vec3(0.75, 0.25, -0.5));
-  light.above = surroundings(0) * light.part_weights.x;
-  light.below = surroundings(5) * light.part_weights.z;
-  light.beside = surroundings(1) * ambient_weight(0.0625, 0.87 * azimuth.x + 0.25 * direction.z, g) +
-                 surroundings(2) * ambient_weight(0.0625, 0.87 * azimuth.y + 0.25 * direction.z, g) +
-                 surroundings(3) * ambient_weight(0.0625, -0.87 * azimuth.x + 0.25 * direction.z, g) +
-                 surroundings(4) * ambient_weight(0.0625, -0.87 * azimuth.y + 0.25 * direction.z, g);
+  light.around = ambient_light(direction);
   return light;
 }
 
@@ -143,29 +120,6 @@ vec3 sun_scatter(RayLight light, float optical_depth) {
   float sum = dot(light.octaves_low, beams);
   if (cloud.octave_weight_high.x > 0.0) sum += dot(light.octaves_high, exp(-optical_depth * cloud.octave_extinction_high));
   return light.phase * beams.x + vec3(sum);
-}
-
-// Light of sky and ground scattered towards the camera at p, height h (0..1) in the medium. What the cloud hides of them is as bright as
-// p itself: so that as much comes out of a cloud that absorbs nothing as goes in.
-vec3 visible_ambient(RayLight light, vec3 p, Land land) {
-  vec3 seen = in_light_volume(ambient_visibility, p, land).xyz;
-  float albedo = cloud.medium.y / cloud.medium.x;
-  float open = dot(seen, part_share);
-  vec3 inside = light.parts * seen * (albedo / (1.0 - albedo * (1.0 - open)));
-  return light.above * seen.x + light.beside * seen.y + light.below * seen.z + inside * (1.0 - dot(light.part_weights, seen));
-}
-
-// tuned, where there is no volume of visibility: the sky is hidden by the cloud above, the horizon by the cloud beside and the ground by
-// the cloud below, in proportion to the height.
-vec3 ambient_by_height(RayLight light, float h) {
-  float above = mix(0.3, 1.0, smoothstep(0.0, 1.0, h));
-  float beside = mix(0.5, 0.9, h);
-  float below = (1.0 - h) * (1.0 - h);
-  return light.above * above + light.beside * beside + light.below * below;
-}
-
-vec3 ambient(RayLight light, vec3 p, float h, Land land) {
-  return cloud.medium.z * (has_sun_depth() ? visible_ambient(light, p, land) : ambient_by_height(light, h));
 }
 
 // tuned: optical depths beyond differ less and less, in what light there is as in what one sees. Without it the grid's cells stand out in
@@ -196,6 +150,6 @@ vec3 source_radiance(RayLight light, vec3 p, vec3 direction, Land land, float ji
   if (lighting()) scatter = sun_scatter(light, optical_depth);
   if (LIGHT_KIND == light_olajos)
     return cloud.medium.y * sun * (cloud.olajos_dark.xyz / pi + cloud.olajos_bright.xyz * scatter);
-  return cloud.medium.y * (sun * scatter + ambient(light, p, h, land));
+  return cloud.medium.y * (sun * scatter + ambient(light.around, p, h, land));
 }
 #endif
