@@ -16,8 +16,8 @@ class AmbientVisibilities {
   void reload(gpu::ShaderLibrary& shaders) { volumes_.reload(shaders); }
   int slices() const { return volumes_.slices(); }
 
-  static constexpr int across = 48, layers = 16;
-  static constexpr int layers_per_slice = 1;
+  static constexpr int across = 48, layers = 16;  // tuned: twice as many across show in no picture, and take four times
+  static constexpr int layers_per_slice = 1;      // tuned: about 10 ms, since a point looks along 20 ways
 
  private:
   LightVolumes volumes_;
