@@ -70,6 +70,7 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   if (medium.in_scatter)
     textures.insert(textures.end(), {{11, &medium.in_scatter->mean}, {12, &medium.in_scatter->directed}});
   if (medium.sun_depth) textures.push_back({13, medium.sun_depth});
+  if (medium.ambient) textures.push_back({15, medium.ambient});
   std::vector<Binding> scene_textures(medium.land.begin(), medium.land.end());
   scene_textures.insert(scene_textures.end(), std::begin(tables), std::end(tables));
   scene_textures.insert(scene_textures.end(), {{7, &sky.view->aerosol}, {9, &sky.view->even}});

@@ -36,6 +36,7 @@ class Passes {
     const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
     const InScatterVolume* in_scatter = nullptr;
     const gpu::Texture* sun_depth = nullptr;  // where clouds cast shadows
+    const gpu::Texture* ambient = nullptr;    // where the light model needs one
     SceneKind scene = SceneKind::plain;
     std::string kinds = {};  // march_kinds
   };

@@ -51,7 +51,9 @@ Renderer::Renderer(const gpu::Context& context, gpu::ShaderLibrary& shaders, bak
       passes_(context, shaders),
       sky_(context, shaders),
       in_scatter_(shaders, bake::LightCache(bakes.files())),
-      sun_depths_(shaders),
+      densities_(shaders),
+      sun_depths_(shaders, densities_),
+      ambient_(shaders, densities_),
       terrain_(context, shaders, std::move(height_maps), bakes.files()),
       resolver_(context, shaders),
       water_(context, shaders),
@@ -136,11 +138,12 @@ bool Renderer::find_in_scatter(RenderJob& job) {
   return job.in_scatter != nullptr;
 }
 
-// The clouds' shadows.
+// The clouds' shadows, and what they let through of sky and ground.
 bool Renderer::find_sun_depth(RenderJob& job) {
-  const bool rests = job.turn == LaggingTurn::water;
-  if (job.sun_depth || sun_depths_.prepare({job.request, cloud_values(job), job.baked, rests}, job.sun_depth))
-    return true;
+  if (job.sun_depth && (job.ambient || !has_ambient_visibility(*job.request.cloudscape))) return true;
+  const CloudBlock cloud = cloud_values(job);
+  const CloudDensities::Wanted wanted{job.request, cloud, job.baked, job.turn == LaggingTurn::water};
+  if (sun_depths_.prepare(wanted, job.sun_depth) && ambient_.prepare(wanted, job.ambient)) return true;
   context_.finish();
   return false;
 }
@@ -167,7 +170,8 @@ Passes::Medium Renderer::medium_of(const RenderJob& job) {
   else if (is_textured(job.request.cloudscape->volume.kind))
     nearness = &structures_.of(*job.baked, mixing_weights(*as_marched(job.request, *job.baked).cloudscape));
   const gpu::Texture* phase = job.phase ? &job.phase->texture : nullptr;
-  Passes::Medium medium{*job.baked, *nearness, distances, {}, phase, job.in_scatter.get(), job.sun_depth.get()};
+  Passes::Medium medium{*job.baked,           *nearness,           distances,        {}, phase,
+                        job.in_scatter.get(), job.sun_depth.get(), job.ambient.get()};
   medium.kinds = march_kinds(cloud_values(job), job.request.cloudscape->sky.kind);
   return medium;
 }
@@ -351,7 +355,9 @@ void Renderer::reload_shaders() {
   passes_.reload(shaders_);
   sky_.reload(shaders_);
   in_scatter_.reload(shaders_);
+  densities_.reload(shaders_);
   sun_depths_.reload(shaders_);
+  ambient_.reload(shaders_);
   terrain_.reload(shaders_);
   resolver_.reload(shaders_);
   water_.reload(shaders_);

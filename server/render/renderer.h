@@ -15,6 +15,7 @@
 #include "core/frame.h"
 #include "gpu/context.h"
 #include "gpu/readback.h"
+#include "render/ambient_visibility.h"
 #include "render/passes.h"
 #include "render/path_tracer.h"
 #include "render/resolver.h"
@@ -34,6 +35,7 @@ struct RenderJob {
   std::shared_ptr<const bake::PhaseTexture> phase;    // where the document's phase function is looked up
   std::shared_ptr<const InScatterVolume> in_scatter;  // where its light model needs one
   std::shared_ptr<const gpu::Texture> sun_depth;      // where clouds cast shadows
+  std::shared_ptr<const gpu::Texture> ambient;        // where its light model needs one
   std::optional<bake::DistancePlan> distances;        // of the distance field, where the march has one
   Land land;
   WaterView water;
@@ -78,9 +80,10 @@ class Renderer {
   void reload_shaders();
   std::size_t history_bytes() const;
   std::size_t history_bytes(StreamId stream) const;
-  int sky_bakes() const { return sky_.bakes(); }           // tables of the sky computed so far
-  int panoramas() const { return water_.panoramas(); }     // of clouds for water, begun so far
-  int sun_slices() const { return sun_depths_.slices(); }  // of the clouds' shadows, baked so far
+  int sky_bakes() const { return sky_.bakes(); }            // tables of the sky computed so far
+  int panoramas() const { return water_.panoramas(); }      // of clouds for water, begun so far
+  int sun_slices() const { return sun_depths_.slices(); }   // of the clouds' shadows, baked so far
+  int ambient_slices() const { return ambient_.slices(); }  // of what clouds let through of sky and ground
   PathTracer& tracer() { return tracer_; }
 
  private:
@@ -114,7 +117,9 @@ class Renderer {
   Passes passes_;
   SkyTables sky_;
   InScatterVolumes in_scatter_;
+  CloudDensities densities_;
   SunDepths sun_depths_;
+  AmbientVisibilities ambient_;
   TerrainStage terrain_;
   Resolver resolver_;
   WaterStage water_;

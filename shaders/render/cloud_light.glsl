@@ -4,7 +4,7 @@
 #include "render/medium.glsl"
 #include "render/in_scatter.glsl"
 #include "render/sun_depth.glsl"
-#include "render/sky.glsl"
+#include "render/ambient.glsl"
 #include "render/phase_table.glsl"
 #include "lib/transport.glsl"
 layout(binding = 6) uniform sampler2D cloud_sun_table;
@@ -74,7 +74,7 @@ struct RayLight {
   vec3 phase;                      // of the first order, by colour
   vec4 octaves_low, octaves_high;  // of the others: weight times phase
   float little;                    // of light that was scattered but little, for the in-scatter volume
-  vec3 above, beside, below;       // of sky and ground, as far as it is scattered towards the camera
+  AmbientLight around;
 };
 
 float octave_phase(float cos_theta, float broadening) {
@@ -84,14 +84,6 @@ vec4 octave_phases(float cos_theta, vec4 broadening) {
   return vec4(octave_phase(cos_theta, broadening.x), octave_phase(cos_theta, broadening.y),
               octave_phase(cos_theta, broadening.z), octave_phase(cos_theta, broadening.w));
 }
-
-// Light of a part of the sphere goes on in its own direction rather than back: a phase function of two terms, (1 + 3 g cos) / 4 pi,
-// which is never negative up to g = 1/3. tuned: what is left of the droplets' asymmetry after some orders.
-float ambient_asymmetry() {
-  return phase_has_asymmetry() ? clamp(0.4 * cloud.phase.x, -0.33, 0.33) : 0.0;
-}
-// `solid_angle`: the part's share of the sphere. `cosine`: mean of that between its directions and the view ray's. All weights add up to 1.
-float ambient_weight(float solid_angle, float cosine, float g) { return solid_angle * (1.0 + 3.0 * g * cosine); }
 
 RayLight ray_light(vec3 direction) {
   RayLight light;
@@ -105,14 +97,7 @@ RayLight ray_light(vec3 direction) {
   light.octaves_high = vec4(0.0);
   if (cloud.octave_weight_high.x > 0.0)
     light.octaves_high = cloud.octave_weight_high * octave_phases(cos_theta, cloud.octave_asymmetry_high);
-  vec2 azimuth = from_light_azimuth(direction.xy);
-  float g = ambient_asymmetry();
-  light.above = surroundings(0) * ambient_weight(0.25, 0.75 * direction.z, g);
-  light.below = surroundings(5) * ambient_weight(0.5, -0.5 * direction.z, g);
-  light.beside = surroundings(1) * ambient_weight(0.0625, 0.87 * azimuth.x + 0.25 * direction.z, g) +
-                 surroundings(2) * ambient_weight(0.0625, 0.87 * azimuth.y + 0.25 * direction.z, g) +
-                 surroundings(3) * ambient_weight(0.0625, -0.87 * azimuth.x + 0.25 * direction.z, g) +
-                 surroundings(4) * ambient_weight(0.0625, -0.87 * azimuth.y + 0.25 * direction.z, g);
+  light.around = ambient_light(direction);
   return light;
 }
 
@@ -135,15 +120,6 @@ vec3 sun_scatter(RayLight light, float optical_depth) {
   float sum = dot(light.octaves_low, beams);
   if (cloud.octave_weight_high.x > 0.0) sum += dot(light.octaves_high, exp(-optical_depth * cloud.octave_extinction_high));
   return light.phase * beams.x + vec3(sum);
-}
-
-// Light of sky and ground scattered towards the camera at height h (0..1) in the medium. tuned: the sky is hidden by the cloud above,
-// the horizon by the cloud beside and the ground by the cloud below, in proportion to the height.
-vec3 ambient(RayLight light, float h) {
-  float above = mix(0.3, 1.0, smoothstep(0.0, 1.0, h));
-  float beside = mix(0.5, 0.9, h);
-  float below = (1.0 - h) * (1.0 - h);
-  return cloud.medium.z * (light.above * above + light.beside * beside + light.below * below);
 }
 
 // tuned: optical depths beyond differ less and less, in what light there is as in what one sees. Without it the grid's cells stand out in
@@ -174,6 +150,6 @@ vec3 source_radiance(RayLight light, vec3 p, vec3 direction, Land land, float ji
   if (lighting()) scatter = sun_scatter(light, optical_depth);
   if (LIGHT_KIND == light_olajos)
     return cloud.medium.y * sun * (cloud.olajos_dark.xyz / pi + cloud.olajos_bright.xyz * scatter);
-  return cloud.medium.y * (sun * scatter + ambient(light, h));
+  return cloud.medium.y * (sun * scatter + ambient(light.around, p, h, land));
 }
 #endif

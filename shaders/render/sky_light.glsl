@@ -29,10 +29,10 @@ vec3 sun_on_ground() {
   return frame.light_irradiance.xyz * arrives * max(mu, 0.0);
 }
 
-// `shade`: share of the sunlight that the clouds take from it.
+// `shade`: share of the light that the clouds take from it.
 vec3 ground_radiance_under(float shade) {
   if (frame.ground.x <= 0.0) return vec3(0.0);
-  return frame.ground_albedo.xyz / pi * (sun_on_ground() * (1.0 - shade) + level_irradiance());
+  return frame.ground_albedo.xyz / pi * (sun_on_ground() + level_irradiance()) * (1.0 - shade);
 }
 
 vec3 mean_of_part(int part, float shade) {

@@ -3,6 +3,7 @@
 #define RENDER_SUN_DEPTH
 #include "render/medium.glsl"
 #include "render/phase_table.glsl"
+#include "render/slab.glsl"
 #include "render/sun_path.glsl"
 #include "shared/frame_block.glsl"
 #ifndef PHASE_KIND
@@ -13,24 +14,26 @@ layout(binding = 13) uniform sampler3D sun_depth_volume;
 // Whether there are clouds that the volume is of.
 bool has_sun_depth() { return is_textured() && cloud.march.w > cloud.march.z && cloud.medium.x > 0.0; }
 
-// At a point in the layer or beyond it, between the levels about the threshold there.
-float sun_depth_in_layer(vec3 p, Land land) {
+// Of a volume of the clouds' grid, at a point in the layer or beyond it, between the levels about the threshold there.
+vec4 in_light_volume(sampler3D volume, vec3 p, Land land) {
   float levels = cloud.in_scatter_scale.w;
-  float layers = float(textureSize(sun_depth_volume, 0).z) / levels;
+  float layers = float(textureSize(volume, 0).z) / levels;
   float altitude_m = cloud.layer.x + height_in_layer(p) / cloud.layer.z;
   float up = clamp((altitude_m - cloud.march.z) / (cloud.march.w - cloud.march.z), 0.0, 1.0);
   vec2 across = tile_at(p) + land.shift;
   vec2 level = light_level(land);
   int count = levels > 1.0 ? 2 : 1;  // a loop, which software goes through as often as it must
-  float depth_m = 0.0;
+  vec4 sum = vec4(0.0);
   int i = 0;
   do {
     float row = (level.x + float(i)) * layers + 0.5 + up * (layers - 1.0);
     float share = i == 0 ? 1.0 - level.y : level.y;
-    depth_m += share * textureLod(sun_depth_volume, vec3(across, row / (layers * levels)), 0.0).x;
+    sum += share * textureLod(volume, vec3(across, row / (layers * levels)), 0.0);
   } while (++i < count);
-  return depth_m * cloud.medium.x;
+  return sum;
 }
+
+float sun_depth_in_layer(vec3 p, Land land) { return cloud.medium.x * in_light_volume(sun_depth_volume, p, land).x; }
 
 // Optical depth between any point and the light: beneath the clouds that of where its light leaves them.
 float sun_depth_at(vec3 p) {
@@ -46,12 +49,4 @@ float sun_depth_at(vec3 p) {
 
 // Whether cloud.phase.x is a mean cosine.
 bool phase_has_asymmetry() { return PHASE_KIND <= 1 || PHASE_KIND == phase_mie; }
-
-// The clouds' mean cosine, where they scatter forwards.
-float forwardness() {
-  return phase_has_asymmetry() ? max(cloud.phase.x, 0.0) : 0.0;
-}
-
-// Beam and diffuse light together: transmittance of a conservative slab by the two-stream equations (Bohren 1987).
-float slab_transmittance(float optical_depth) { return 1.0 / (1.0 + 0.75 * (1.0 - forwardness()) * optical_depth); }
 #endif

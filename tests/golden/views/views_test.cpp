@@ -62,6 +62,13 @@ const View views[] = {
     {"blue-hour", "still:blue-hour", 24, 0.5, edges},
     {"moonlight", "still:moonlight", 24, 0.5, edges},
     {"after-an-hour", "sunset-broken", 24, 0.5, edges, [](FrameRequest& request) { request.time_s = 3600; }},
+    {"octaves-at-dusk", "stratocumulus-deck", 24, 0.5, edges,
+     [](FrameRequest& request) {
+       Cloudscape sky = *request.cloudscape;
+       sky.medium.light_model.kind = LightModelKind::beer_octaves;
+       sky.sun.elevation_deg = 2;
+       request.cloudscape = std::make_shared<const Cloudscape>(sky);
+     }},
     {"sphere", "sphere.json", 2, 0.05, closed_form},
     {"slab", "slab.json", 2, 0.05, closed_form},
 };

@@ -2,38 +2,15 @@
 // baked.
 #include "render/sun_depth.h"
 
-#include <cstring>
-#include <numeric>
-
-#include "gpu/render/fixture.h"
+#include "gpu/render/cloud_grid.h"
 #include "render/block_values.h"
-#include "render/density_export.h"
 
 namespace cloudscape::render {
 namespace {
 
-constexpr int across = SunDepths::across, layers = SunDepths::layers;
+constexpr int across = CloudDensities::across, layers = CloudDensities::layers;
+constexpr int slices = layers / CloudDensities::layers_per_slice;  // one level: coverage is the same everywhere
 constexpr double radius_m = 6360000;
-
-Cloudscape with_sun(Cloudscape sky, double azimuth_deg, double elevation_deg) {
-  sky.sun.azimuth_deg = azimuth_deg, sky.sun.elevation_deg = elevation_deg;
-  return sky;
-}
-
-// Density 1 between 1000 m and 3000 m.
-Cloudscape full_layer(double sun_deg) {
-  Cloudscape sky = with_sun(small_clouds(), 30, sun_deg);
-  sky.shape.threshold = -1, sky.detail.strength = 0;
-  return sky;
-}
-
-// Ten clouds or so, each some cells wide.
-Cloudscape broken_clouds(double azimuth_deg, double elevation_deg) {
-  Cloudscape sky = with_sun(small_clouds(), azimuth_deg, elevation_deg);
-  sky.volume.resolution = 64;
-  sky.shape.coverage = 0.4;
-  return sky;
-}
 
 // Between a point of this altitude and the top of the layer.
 double metres_in_shell(double altitude_m, double top_m, double sine) {
@@ -41,34 +18,29 @@ double metres_in_shell(double altitude_m, double top_m, double sine) {
   return std::sqrt(r * r * sine * sine + out * out - r * r) - r * sine;
 }
 
-class SunDepthTest : public RenderTest {
+struct Depths {
+  explicit Depths(gpu::ShaderLibrary& shaders) : densities(shaders), depths(shaders, densities) {}
+  CloudDensities densities;
+  SunDepths depths;
+};
+
+class SunDepthTest : public CloudGridTest {
  protected:
   static FrameRequest request_of(const Cloudscape& sky, bool may_lag = false) {
     FrameRequest request = one_ray(sky, {{0, 0, 100}, 0, 0, 0});
     request.light_may_lag = may_lag;
     return request;
   }
-  static std::shared_ptr<const bake::BakedCloudscape> baked_of(const Cloudscape& sky) {
-    const bake::BakeRecipe recipe = stack().bakes.recipe_of(sky);
-    while (!stack().bakes.find(recipe)) stack().bakes.advance(recipe);
-    return stack().bakes.find(recipe);
-  }
   // Calls of `prepare` that it took; -1: more than there is to do.
-  static int settle(SunDepths& depths, const FrameRequest& request, std::shared_ptr<const gpu::Texture>& depth) {
+  static int settle(Depths& of, const FrameRequest& request, std::shared_ptr<const gpu::Texture>& depth) {
     const auto baked = baked_of(*request.cloudscape);
     const CloudBlock cloud = cloud_block(request, *baked);
     for (int calls = 1; calls < 1000; ++calls)
-      if (depths.prepare({request, cloud, baked}, depth)) return calls;
+      if (of.depths.prepare({request, cloud, baked}, depth)) return calls;
     return -1;
   }
-  static std::vector<float> values_of(const gpu::Texture& texture) {
-    const std::vector<std::uint8_t> bytes = texture.download();
-    std::vector<float> values(bytes.size() / sizeof(float));
-    std::memcpy(values.data(), bytes.data(), bytes.size());
-    return values;
-  }
   static std::vector<float> depth_m(const Cloudscape& sky) {
-    SunDepths depths(stack().shaders);
+    Depths depths(stack().shaders);
     std::shared_ptr<const gpu::Texture> depth;
     EXPECT_GT(settle(depths, request_of(sky), depth), 1);
     return values_of(*depth);
@@ -85,55 +57,6 @@ TEST_F(SunDepthTest, OfAFullLayerItIsTheWayThroughTheShell) {
       EXPECT_NEAR(depth[cell], exact_m, 0.002 * exact_m + 1e-3) << "sun " << sun_deg << ", layer " << layer;
     }
   }
-}
-
-// All voxels of a tile, and a march through them by nearest voxels that knows nothing of the device's.
-struct Voxels {
-  std::vector<float> density;
-  glm::ivec3 size;
-  double voxel_m;
-
-  double at(const glm::dvec3& p_m) const {  // from the tile's corner
-    const int z = static_cast<int>(std::floor(p_m.z / voxel_m));
-    if (z < 0 || z >= size.z) return 0;
-    const auto wrapped = [&](double m, int n) {
-      const int i = static_cast<int>(std::floor(m / voxel_m)) % n;
-      return i < 0 ? i + n : i;
-    };
-    const int index = (z * size.y + wrapped(p_m.y, size.y)) * size.x + wrapped(p_m.x, size.x);
-    return density[static_cast<std::size_t>(index)];
-  }
-  double march_m(const glm::dvec3& from_m, const glm::dvec3& light) const {
-    const double step_m = 0.3 * voxel_m;
-    double sum_m = 0;
-    for (double t = 0.5 * step_m; from_m.z + t * light.z < size.z * voxel_m; t += step_m)
-      sum_m += step_m * at(from_m + t * light);
-    return sum_m;
-  }
-};
-
-Voxels voxels_of(DensityExport source) {
-  Voxels voxels{{}, source.size(), source.voxel_m()};
-  for (int z = 0; z < source.size().z; z += DensityExport::slab) {
-    const std::vector<float> slab = source.slices(z);
-    voxels.density.insert(voxels.density.end(), slab.begin(), slab.end());
-  }
-  return voxels;
-}
-
-struct Likeness {
-  double mean_ratio, correlation;
-};
-
-Likeness likeness(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto mean = [](const std::vector<double>& v) { return std::reduce(v.begin(), v.end()) / double(v.size()); };
-  const double mean_a = mean(a), mean_b = mean(b);
-  double aa = 0, bb = 0, ab = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    aa += (a[i] - mean_a) * (a[i] - mean_a), bb += (b[i] - mean_b) * (b[i] - mean_b);
-    ab += (a[i] - mean_a) * (b[i] - mean_b);
-  }
-  return {mean_a / mean_b, ab / std::sqrt(aa * bb)};
 }
 
 // Detail included, which the volume has as a mean only. The last columns of the tile see over its edge.
@@ -161,28 +84,29 @@ TEST_F(SunDepthTest, OfBrokenCloudsItIsWhatAFineMarchSees) {
 }
 
 TEST_F(SunDepthTest, EverySliceIsAsLongAsTheOthersAndAMovedSunBakesNoDensity) {
-  SunDepths depths(stack().shaders);
+  Depths depths(stack().shaders);
   std::shared_ptr<const gpu::Texture> first, second, again;
-  constexpr int slices = layers / SunDepths::layers_per_slice;  // one level: coverage is the same everywhere
   EXPECT_EQ(settle(depths, request_of(broken_clouds(10, 40)), first), 2 * slices);
-  EXPECT_EQ(depths.slices(), 2 * slices);
+  EXPECT_EQ(depths.densities.slices(), slices);
+  EXPECT_EQ(depths.depths.slices(), slices);
   EXPECT_EQ(settle(depths, request_of(broken_clouds(20, 30)), second), slices);
-  EXPECT_EQ(depths.slices(), 3 * slices);
+  EXPECT_EQ(depths.densities.slices(), slices);
+  EXPECT_EQ(depths.depths.slices(), 2 * slices);
   EXPECT_EQ(settle(depths, request_of(broken_clouds(10, 40)), again), 1) << "it is kept";
   EXPECT_EQ(again, first);
   EXPECT_EQ(values_of(*second), depth_m(broken_clouds(20, 30))) << "the same bytes whatever came before";
 }
 
 TEST_F(SunDepthTest, AFrameThatMayLagTakesTheLastThatIsDoneAndIsRightOnceTheSunStands) {
-  SunDepths depths(stack().shaders);
+  Depths depths(stack().shaders);
   std::shared_ptr<const gpu::Texture> before;
   settle(depths, request_of(broken_clouds(10, 40)), before);
   int waits = 0;
   for (int frame = 0; frame < 10; ++frame) {
     std::shared_ptr<const gpu::Texture> depth;
-    const int done = depths.slices();
+    const int done = depths.depths.slices();
     waits += settle(depths, request_of(broken_clouds(10 + frame, 40 - frame), true), depth) - 1;
-    EXPECT_LE(depths.slices(), done + 1) << "one slice a frame";
+    EXPECT_LE(depths.depths.slices(), done + 1) << "one slice a frame";
     if (frame == 1) {
       EXPECT_EQ(depth, before);
     }
