@@ -86,13 +86,14 @@ class Hull {
 class Horizon {
  public:
   explicit Horizon(const HorizonProblem& problem)
-      : problem_(problem), lines_(problem), tangents_(problem.heights_m.size(), 0.0F) {}
+      : problem_(problem), lines_(problem), tangents_(problem.heights_m.size(), 0.0F), shares_(tangents_) {}
 
   std::vector<float> find(const std::stop_token& stop) {
     for (int line = lines_.first(); line < lines_.end(); ++line) {
       if (stop.stop_requested()) return {};
       follow(line);
     }
+    for (std::size_t i = 0; i < tangents_.size(); ++i) tangents_[i] /= shares_[i];  // 1 but at a map's edges
     return std::move(tangents_);
   }
 
@@ -106,35 +107,38 @@ class Horizon {
       const double row = lines_.row_of(line, column), x_m = column * lines_.step_m();
       const int below = static_cast<int>(std::floor(row));
       const double share = row - below;
-      if (column < problem_.side) {
-        // The lattice points above and below the line.
-        const int above = static_cast<int>(std::ceil(row));
-        add(column, above, x_m, 1 - (above - row));
-        if (above > row) add(column, above - 1, x_m, above - row);
-      }
       const std::ptrdiff_t low = lines_.index(column, below), high = share > 0 ? lines_.index(column, below + 1) : low;
       if (low < 0 || high < 0) continue;
-      hull_.push({x_m, above_plane_m(std::lerp(height_m(low), height_m(high), share), x_m)});
+      const double line_m = std::lerp(height_m(low), height_m(high), share);
+      if (column < problem_.side) add(column, row, tangent_from(x_m, std::max(line_m, problem_.water_m)));
+      hull_.push({x_m, above_plane_m(line_m, x_m)});
     }
   }
 
   double height_m(std::ptrdiff_t index) const { return problem_.heights_m[static_cast<std::size_t>(index)]; }
 
-  void add(int column, int row, double x_m, double share) {
-    const std::ptrdiff_t index = lines_.index(column, row);
-    if (index < 0) return;
-    double tangent = no_land;
-    if (!hull_.empty()) {
-      const double z_m = above_plane_m(std::max(height_m(index), problem_.water_m), x_m);
-      tangent = std::max(tangent, hull_.steepest_from({x_m, z_m}) + x_m / planet_radius_m);
+  double tangent_from(double x_m, double height_m) const {
+    if (hull_.empty()) return no_land;
+    return std::max<double>(no_land, hull_.steepest_from({x_m, above_plane_m(height_m, x_m)}) + x_m / planet_radius_m);
+  }
+
+  // What is seen from the line is what the lattice points to its sides see, as far as they are near it. (Not from their
+  // own heights: across a slope the line lies higher or lower than they do.)
+  void add(int column, double row, double tangent) {
+    const int above = static_cast<int>(std::ceil(row));
+    for (int point = above - 1; point <= above; ++point) {
+      const std::ptrdiff_t index = lines_.index(column, point);
+      const double share = 1 - std::abs(point - row);
+      if (index < 0 || share <= 0) continue;
+      tangents_[static_cast<std::size_t>(index)] += static_cast<float>(share * tangent);
+      shares_[static_cast<std::size_t>(index)] += static_cast<float>(share);
     }
-    tangents_[static_cast<std::size_t>(index)] += static_cast<float>(share * tangent);
   }
 
   const HorizonProblem& problem_;
   Lines lines_;
   Hull hull_;
-  std::vector<float> tangents_;
+  std::vector<float> tangents_, shares_;
 };
 
 }  // namespace

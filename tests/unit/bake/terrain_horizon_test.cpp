@@ -68,8 +68,8 @@ TEST_P(Horizons, AreThoseOfEveryPoint) {
           const double difference = std::abs(double{tangents[static_cast<std::size_t>(y * side + x)]} - expected(x, y));
           sum += difference, worst = std::max(worst, difference);
         }
-      EXPECT_LT(sum / count, 0.009) << tiling << " " << water_m << ": of slopes of 0.3";
-      EXPECT_LT(worst, 0.1) << tiling << " " << water_m;
+      EXPECT_LT(sum / count, 0.0055) << tiling << " " << water_m << ": of slopes of 0.3";
+      EXPECT_LT(worst, 0.06) << tiling << " " << water_m;
     }
 }
 

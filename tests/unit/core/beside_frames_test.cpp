@@ -1,3 +1,4 @@
+// Work beside the frames runs at a lower priority than they do.
 #include "core/beside_frames.h"
 
 #include <gtest/gtest.h>
