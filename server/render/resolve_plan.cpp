@@ -129,7 +129,9 @@ ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const K
   block.drift = xyz_w(glm::dvec3(drift, 0), 0);
   resting = resting && known;
   const bool slow = now.time_s == then.time_s;  // where the view, too, hardly moves
-  block.marched = {at.x, at.y, resting ? 0 : 1, 0};
+  const double per_km = 0.001 * glm::length(now.pose.position_m - then.pose.position_m - glm::dvec3(drift, 0));
+  const double parallax_px = per_km * 0.5 * plan.kept.height / half_height_of(now.vertical_fov_deg);
+  block.marched = {at.x, at.y, resting ? 0 : 1, parallax_px};
   block.trust = {moving_samples, moving_samples, moving_margin, moving_margin};
   if (slow) block.trust.x = slow_samples, block.trust.z = slow_margin;
   if (resting) block.trust.x = resting_samples, block.trust.z = resting_margin;

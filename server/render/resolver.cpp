@@ -32,7 +32,7 @@ Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
     : context_(context),
       shaders_(shaders),
       even_(context, shaders, "render/resolve_even.glsl", {kept_format(context)}),
-      resolve_(context, shaders, "render/resolve.glsl", {kept_format(context)}),
+      resolve_(context, shaders, "render/resolve.glsl", {kept_format(context), Format::r32f}),
       block_("resolve") {}
 
 ResolvedFrame Resolver::begin(const FrameRequest& asked) const {
@@ -47,7 +47,10 @@ Resolver::Shared& Resolver::shared_of(ImageSize kept, ImageSize marched) {
   constexpr std::size_t most_sizes = 4;  // tuned: sizes that alternate without being made anew each time
   if (shared_.size() > most_sizes) shared_.clear();
   Shared& shared = shared_[{kept.width, kept.height}];
-  if (!shared.spare) shared.spare = picture_texture(kept_format(context_), kept, "spare picture");
+  if (!shared.spare) {
+    shared.spare = picture_texture(kept_format(context_), kept, "spare picture");
+    shared.spare_closeness = picture_texture(Format::r32f, kept, "spare closeness");
+  }
   if (!shared.even || shared.even.width() != marched.width || shared.even.height() != marched.height)
     shared.even = picture_texture(kept_format(context_), marched, "evened radiance");
   return shared;
@@ -66,11 +69,13 @@ void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, 
   const Binding seen[] = {{0, &marched.radiance}, {1, &marched.depth}};
   even_.run(whole(plan.marched), even, seen);
   clock.lap("even");
-  const Binding textures[] = {{0, &shared.even}, {1, before ? &picture.radiance : &shared.even}};
-  const Texture* output[] = {&shared.spare};
+  const Binding textures[] = {{0, &shared.even},
+                              {1, before ? &picture.radiance : &shared.even},
+                              {2, before ? &picture.closeness : &shared.even}};
+  const Texture* output[] = {&shared.spare, &shared.spare_closeness};
   resolve_.run(whole(plan.kept), output, textures);
   clock.lap("resolve");
-  std::swap(picture.radiance, shared.spare);
+  std::swap(picture.radiance, shared.spare), std::swap(picture.closeness, shared.spare_closeness);
   if (shared.spare && (shared.spare.width() != plan.kept.width || shared.spare.height() != plan.kept.height))
     shared.spare = {};
   picture.view = now;
@@ -126,7 +131,8 @@ std::vector<StreamId> Resolver::remembered() const {
 
 std::size_t Resolver::bytes_of(StreamId stream) const {
   const auto found = pictures_.find(stream);
-  return found == pictures_.end() || !found->second.radiance ? 0 : found->second.radiance.bytes();
+  if (found == pictures_.end() || !found->second.radiance) return 0;
+  return found->second.radiance.bytes() + found->second.closeness.bytes();
 }
 
 std::size_t Resolver::bytes() const {

@@ -40,12 +40,12 @@ class Resolver {
 
  private:
   struct Picture {
-    gpu::Texture radiance;
+    gpu::Texture radiance, closeness;  // 1 / distance of what is seen, 1/km
     KeptView view;
     std::uint64_t frames = 0;
   };
   struct Shared {  // by the streams of a size: nothing in it outlives a frame
-    gpu::Texture even, spare;
+    gpu::Texture even, spare, spare_closeness;
     std::unique_ptr<BloomChain> bloom;
   };
   Shared& shared_of(ImageSize kept, ImageSize marched);

@@ -1,12 +1,14 @@
-// targets: rgba16f
+// targets: rgba16f r32f
 // The kept picture: the pixels that this frame marched, averaged with what the picture before has there, and the others from that
-// picture, re-projected by the distance and the motion of what is seen. Radiance; samples in the average / 64.
+// picture, re-projected by the distance and the motion of what is seen. Target 0: radiance; samples in the average / 64. Target 1: 1 /
+// distance of what is seen (1/km).
 #include "shared/frame_block.glsl"
 #include "shared/resolve_block.glsl"
 #include "render/catmull_rom.glsl"
 #include "lib/reprojection.glsl"
-layout(binding = 0) uniform sampler2D marched;  // radiance, 1 / distance (1/km)
+layout(binding = 0) uniform sampler2D marched;  // radiance, 1 / distance (1/km; of clouds, or less than 0)
 layout(binding = 1) uniform sampler2D kept_before;
+layout(binding = 2) uniform sampler2D closeness_before;
 
 const float most_samples = 64.0;
 
@@ -20,9 +22,11 @@ vec3 place_before(vec2 place, float closeness_per_km) {
   return place_of_view(seen, resolve.before_right.w, resolve.before_up.w);
 }
 
-// The four marched pixels around a pixel: between them, and what the least and greatest of each part is.
+// The four marched pixels around a pixel: between them, and what the least and greatest of each part is; how close the nearest and the
+// farthest of what they see is.
 struct Marched {
   vec4 here, least, greatest;
+  float near, far;
 };
 Marched marched_around(ivec2 pixel, int stride) {
   ivec2 last = textureSize(marched, 0) - 1;
@@ -32,7 +36,10 @@ Marched marched_around(ivec2 pixel, int stride) {
   ivec2 low = clamp(first, ivec2(0), last), high = clamp(first + 1, ivec2(0), last);
   vec4 a = texelFetch(marched, low, 0), b = texelFetch(marched, ivec2(high.x, low.y), 0);
   vec4 c = texelFetch(marched, ivec2(low.x, high.y), 0), d = texelFetch(marched, high, 0);
-  return Marched(mix(mix(a, b, share.x), mix(c, d, share.x), share.y), min(min(a, b), min(c, d)), max(max(a, b), max(c, d)));
+  vec4 least = min(min(a, b), min(c, d)), greatest = max(max(a, b), max(c, d));
+  vec4 closeness = abs(vec4(a.w, b.w, c.w, d.w));
+  vec2 far = min(closeness.xy, closeness.zw);
+  return Marched(mix(mix(a, b, share.x), mix(c, d, share.x), share.y), least, greatest, max(-least.w, greatest.w), min(far.x, far.y));
 }
 
 // As much of the way from what is marched to what was kept as the range of the neighbours and the margin around it have room for: a
@@ -46,20 +53,48 @@ vec3 within(Marched around, vec3 kept, float margin) {
   return around.here.xyz + way * min(1.0, min(shares.x, min(shares.y, shares.z)));
 }
 
+// What a pixel shows of what the rays around it have met: how close it is, where that was seen before, and whether it was (0 or 1).
+struct Seen {
+  float closeness;
+  vec2 before;
+  float known;
+};
+
+// Where land moves before something far by more than half a pixel, the picture before tells which of them a pixel shows: the outline has
+// moved as the land has. (Clouds have no such outline: their edges fray.) Where it was neither that it shows now, it was hidden.
+Seen seen_at(vec2 place, Marched around, vec2 size) {
+  float near = around.near, far = around.far;
+  vec3 at = place_before(place, near);
+  Seen seen = Seen(near, at.xy, at.z);
+  int edge = -around.least.w >= near && (near - far) * resolve.marched.w > 0.5 ? 1 : 0;
+  for (int i = 0; i < edge; ++i) {  // a loop, which software leaves out
+    float middle = 0.5 * (near + far);
+    ivec2 last = resolve.kept.xy - 1;
+    bool is_near = texelFetch(closeness_before, clamp(ivec2(at.xy * size), ivec2(0), last), 0).x >= middle;
+    vec3 behind = place_before(place, far);
+    bool is_far = texelFetch(closeness_before, clamp(ivec2(behind.xy * size), ivec2(0), last), 0).x < middle;
+    if (!is_near) seen = Seen(far, behind.xy, is_far ? behind.z : 0.0);
+  }
+  return seen;
+}
+
 PassOutput shade(ivec2 pixel) {
   int stride = resolve.kept.z;
   vec2 size = vec2(resolve.kept.xy);
   vec2 place = (vec2(pixel) + 0.5) / size;
   Marched around = marched_around(pixel, stride);
-  vec3 before = place_before(place, around.greatest.w);
-  float known = before.z * resolve.before_forward.w;
-  float motion = clamp(length((before.xy - place) * size), 0.0, 1.0);
-  vec4 kept = catmull_rom(kept_before, before.xy, size);
+  ivec2 block = pixel >> (stride >> 1);  // the stride is 1, 2 or 4: software divides integers one by one
+  bool fresh = all(equal(pixel - block * stride, ivec2(resolve.marched.xy)));
+  Seen seen = seen_at(place, around, size);
+  // A ray that met something else than the picture before had there begins anew.
+  bool other = fresh && around.here.w < 0.0 && (seen.closeness + around.here.w) * resolve.marched.w > 0.5;
+  float known = other ? 0.0 : seen.known * resolve.before_forward.w;
+  float motion = clamp(length((seen.before - place) * size), 0.0, 1.0);
+  vec4 kept = catmull_rom(kept_before, seen.before, size);
   float margin = mix(resolve.trust.z, resolve.trust.w, motion);
   float samples = known * min(kept.w * most_samples, mix(resolve.trust.x, resolve.trust.y, motion));
   vec3 average = mix(around.here.xyz, within(around, kept.xyz, margin), known);
-  ivec2 block = pixel >> (stride >> 1);  // the stride is 1, 2 or 4: software divides integers one by one
-  bool fresh = all(equal(pixel - block * stride, ivec2(resolve.marched.xy)));
   float weight = fresh ? 1.0 / (samples + 1.0) : 0.0;
-  return PassOutput(vec4(mix(average, around.here.xyz, weight), (samples + (fresh ? 1.0 : 0.0)) / most_samples));
+  return PassOutput(vec4(mix(average, around.here.xyz, weight), (samples + (fresh ? 1.0 : 0.0)) / most_samples),
+                    vec4(fresh ? abs(around.here.w) : seen.closeness));
 }

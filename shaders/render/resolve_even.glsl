@@ -1,13 +1,14 @@
 // targets: rgba16f
 // What a frame marched, evened where all that is seen lies within some steps, as from within a cloud: neighbours differ there by where
 // their steps begin more than by what they see, and all nine together have every beginning once (lib/hash.glsl). Radiance; 1 / distance
-// of what is seen (1/km).
+// of what is seen (1/km), below 0 of land, water and sky.
 #include "shared/resolve_block.glsl"
 #include "render/small_step.glsl"
 layout(binding = 0) uniform sampler2D marched_radiance;
 layout(binding = 1) uniform sampler2D marched_depth;
 
 float closeness_per_km(float distance_m) { return 1000.0 / max(distance_m, 0.1); }
+float signed_closeness(float closeness, float cloud) { return cloud < 0.5 ? -closeness : closeness; }  // as composite.glsl has it
 
 PassOutput shade(ivec2 pixel) {
   ivec2 last = textureSize(marched_radiance, 0) - 1;
@@ -26,5 +27,6 @@ PassOutput shade(ivec2 pixel) {
   // tuned: the more steps, the more is gone of what the rays did see.
   float in_cloud = smoothstep(0.5, 1.0, radiance_opacity.w);  // and not before land
   float share = resolve.marched.z * in_cloud * (1.0 - smoothstep(4.0, 8.0, own_m / small_step_m(own_m)));
-  return PassOutput(mix(own, sum / max(summed, 1.0), share));
+  vec4 evened = mix(own, sum / max(summed, 1.0), share);
+  return PassOutput(vec4(evened.xyz, signed_closeness(evened.w, radiance_opacity.w)));
 }

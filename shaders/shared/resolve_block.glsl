@@ -4,7 +4,8 @@
 #include "shared/block.glsl"
 
 /* kept: width, height of the kept picture, stride of its marched pixels, 0.
-   marched: x, y of the marched pixel in its block, whether the picture moves, 0.
+   marched: x, y of the marched pixel in its block, whether the picture moves, by how many kept pixels what is 1 km away moves before
+   what does not.
    before_right, before_up, before_forward: axes of the camera before; before_right.w: tangent of half the height of its kept picture;
    before_up.w: width of that over its height; before_forward.w: whether there is a picture before.
    moved: from that camera to this one, m; moved.w: tangent of half the height of this kept picture. drift: of the clouds since, m.
