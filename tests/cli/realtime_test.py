@@ -61,7 +61,7 @@ class Realtime(Cli):
         self.assertEqual(measured["streams"], 3)
         self.assertEqual(len(measured["each"]), 3)
         self.assertGreater(measured["bytes_per_stream"], 0)
-        self.assertLessEqual(measured["bytes_per_stream"], 64 * 36 * 28)
+        self.assertLessEqual(measured["bytes_per_stream"], 64 * 36 * 40)
         for stream in measured["each"]:
             self.assertGreater(stream["fps"], 0)
 

@@ -87,8 +87,8 @@ class RoundTrip(VolumeTest):
         self.assertLess(mean_difference(ball, copy), 0.4)
 
     def test_clouds_are_the_clouds_whichever_axis_is_up(self):
-        """In even light they agree to three steps of 255; lit by the sun to eight, since noise is lit through a coarser shape
-        than it shows, which voxels are not. Voxels of 10 m smooth the edges."""
+        """By sky and ground alone they agree to five steps of 255; lit by the sun to eight, since noise is lit through a coarser
+        shape than it shows, which voxels are not. Voxels of 10 m smooth the edges."""
         even = CLOUDS | {"view": CLOUDS["view"] | {"march": MARCH | {"lighting": False}}}
         clouds, flat = self.still(CLOUDS, "clouds.png"), self.still(even, "even.png")
         nothing = self.still(CLOUDS | {"medium": {"extinction_per_m": 0}}, "nothing.png")
@@ -97,7 +97,7 @@ class RoundTrip(VolumeTest):
         for up in ("z", "y"):
             self.done("bake", document, "--vdb", f"{up}.vdb", "--vdb-resolution", "200", "--vdb-up", up)
             self.assertLess(mean_difference(clouds, self.still(from_file(CLOUDS, f"{up}.vdb", up=up), "copy.png")), 8)
-            self.assertLess(mean_difference(flat, self.still(from_file(even, f"{up}.vdb", up=up), "copy.png")), 3)
+            self.assertLess(mean_difference(flat, self.still(from_file(even, f"{up}.vdb", up=up), "copy.png")), 5)
 
     def test_a_written_volume_can_be_written_again(self):
         self.done("bake", self.document("ball.json", BALL), "--vdb", "a.vdb", "--vdb-resolution", "40")
