@@ -63,7 +63,7 @@ Cost cost_of(GpuStack& stack, const Cloudscape& cloudscape, VolumeFormat format,
 void print(const Cost& cost) {
   const std::string side = std::to_string(cost.recipe.resolution);
   const std::string format(name_of(cost.recipe.format));
-  std::printf("%-8s %-14s %14llu %14llu %10.2f %10.3f\n", format.c_str(), (side + "x" + side + "x" + side).c_str(),
+  std::printf("%-8s %-14s %14llu %14llu %10.3f %10.3f\n", format.c_str(), (side + "x" + side + "x" + side).c_str(),
               static_cast<unsigned long long>(cost.device_bytes), static_cast<unsigned long long>(cost.disk_bytes),
               cost.bake_s, cost.load_s);
 }

@@ -333,7 +333,7 @@ class Bake(CliTest):
         for row in rows:
             self.assertGreater(int(row[3]), int(row[2]) - variation)
             self.assertLess(int(row[3]), int(row[2]) - variation + 200)
-            self.assertGreater(float(row[4]), 0)
+            self.assertGreaterEqual(float(row[4]), 0)  # 16^3 texels take a millisecond
             self.assertGreaterEqual(float(row[5]), 0)
         (bake,) = self.bakes()
         self.assertEqual(bake.stat().st_size, int(rows[0][3]))
