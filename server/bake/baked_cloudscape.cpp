@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <glm/gtc/packing.hpp>
 
+#include "bake/halves.h"
 namespace cloudscape::bake {
 namespace {
 
@@ -33,15 +33,11 @@ Texture shape_texture(const BakedTexels& texels) {
   return texture;
 }
 
-float half_at(const std::vector<std::uint8_t>& texels, std::size_t index) {
-  return glm::unpackHalf1x16(static_cast<std::uint16_t>(texels[2 * index] | texels[2 * index + 1] << 8));
-}
-
 // 32 bits and two dimensions: what a software rasterizer samples fastest.
 Texture variation_texture(const std::vector<std::uint8_t>& halves) {
   std::vector<std::uint8_t> floats(2 * halves.size());
   for (std::size_t i = 0; i < halves.size() / 2; ++i) {
-    const float value = half_at(halves, i);
+    const float value = half_at(&halves[2 * i]);
     std::memcpy(&floats[4 * i], &value, sizeof value);
   }
   Texture texture(Format::rgba32f, variation_resolution, variation_resolution, "variation");
@@ -87,7 +83,7 @@ double steepest_step(const std::vector<std::uint8_t>& texels, int channel) {
   const auto at = [&](int x, int y) {
     const int texel = (y % variation_resolution) * variation_resolution + x % variation_resolution;
     return static_cast<double>(
-        half_at(texels, 4 * static_cast<std::size_t>(texel) + static_cast<std::size_t>(channel)));
+        half_at(&texels[8 * static_cast<std::size_t>(texel) + 2 * static_cast<std::size_t>(channel)]));
   };
   double steepest = 0;
   for (int y = 0; y < variation_resolution; ++y)
@@ -129,7 +125,7 @@ const BakedCloudscape::Extent& BakedCloudscape::extent(const std::array<double, 
   if (!extent_.slice_maxima.empty() && (mixed || weights == weights_)) return extent_;
   weights_ = weights;
   extent_ = mixed
-                ? extent_of(shape_.width(), [&](std::size_t texel) { return half_at(shape, channels * texel); })
+                ? extent_of(shape_.width(), [&](std::size_t texel) { return half_at(&shape[2 * channels * texel]); })
                 : extent_of(shape_.width(), [&](std::size_t texel) { return mixed_shape(&shape[4 * texel], weights); });
   return extent_;
 }

@@ -147,23 +147,9 @@ glm::ivec3 DistanceFieldBuilder::texels_of(const Work& work) {
 
 // By all that the field depends on.
 std::string DistanceFieldBuilder::name_of(const Work& work) const {
-  const DistancePlan& plan = work.plan;
-  const std::array<double, 14> values{1,  // of the shaders: raise it when they change what they make
-                                      plan.weights[0],
-                                      plan.weights[1],
-                                      plan.weights[2],
-                                      plan.size_m.x,
-                                      plan.size_m.y,
-                                      plan.size_m.z,
-                                      plan.lowest_threshold,
-                                      plan.between_levels,
-                                      double(plan.levels),
-                                      plan.threshold_fall_per_m,
-                                      double(plan.jumps),
-                                      double(work.size.x),
-                                      double(work.size.z)};
-  const std::string_view bytes(reinterpret_cast<const char*>(values.data()), sizeof values);
-  return sha256_hex(bake_key(work.baked.texels().recipe) + std::string(bytes)) + ".distance";
+  constexpr const char* version = "2 ";  // of the shaders: raise it when they change what they make
+  const std::string across = std::to_string(most_across_);
+  return sha256_hex(version + across + bake_key(work.baked.texels().recipe) + content_hash(work.plan)) + ".distance";
 }
 
 std::optional<Texture> DistanceFieldBuilder::load(const Work& work) const {

@@ -3,6 +3,8 @@
 #include <array>
 #include <glm/vec3.hpp>
 
+#include "core/fields.h"
+
 namespace cloudscape::bake {
 
 // Coverage that varies over the land moves the threshold from level to level.
@@ -15,6 +17,16 @@ struct DistancePlan {
   double threshold_fall_per_m = 0;  // how fast the threshold can fall along a way
   bool jumps = false;               // whether the shape is looked up without interpolation
   bool operator==(const DistancePlan&) const = default;
+
+  static void fields(auto& self, auto&& visit) {
+    visit("weights", self.weights, Limits{}, "");
+    visit("size_m", self.size_m, Limits{}, "");
+    visit("lowest_threshold", self.lowest_threshold, Limits{}, "");
+    visit("between_levels", self.between_levels, Limits{}, "");
+    visit("levels", self.levels, Limits{}, "");
+    visit("threshold_fall_per_m", self.threshold_fall_per_m, Limits{}, "");
+    visit("jumps", self.jumps, Limits{}, "");
+  }
 };
 
 constexpr int most_distance_levels = 4;  // tuned: more enclose less, and take as long again to build

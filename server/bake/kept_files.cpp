@@ -88,6 +88,11 @@ bool KeptFiles::load(const std::string& name, std::string_view magic,
   return false;
 }
 
+bool KeptFiles::has(const std::string& name) const {
+  std::error_code error;
+  return !folder_.empty() && fs::exists(path_of(name), error);
+}
+
 void KeptFiles::store(const std::string& name, std::string_view magic, std::string_view payload) const {
   if (folder_.empty()) return;
   const fs::path path = path_of(name);

@@ -17,6 +17,7 @@ class KeptFiles {
   // Hands the payload of a file to `take`, which says whether it is what was expected. A file that is not, or that is
   // damaged or truncated, is told in the log and removed. False if nothing was taken.
   bool load(const std::string& name, std::string_view magic, const std::function<bool(std::string_view)>& take) const;
+  bool has(const std::string& name) const;  // a file, damaged or not
   // Failure to write is told in the log, no more. `name` must end in .bake, .phase, .light, .distance or
   // .relief.
   void store(const std::string& name, std::string_view magic, std::string_view payload) const;

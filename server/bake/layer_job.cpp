@@ -12,14 +12,11 @@ Texture texture_of(Format format, int resolution, int depth, const char* label) 
   return Texture(format, resolution, resolution, std::max(1, depth), label);
 }
 
-// As BakedCloudscape::threshold_for, of columns' maxima in any order.
-double threshold_of(const Texture& columns, double coverage) {
-  const std::vector<std::uint8_t> bytes = columns.download();
-  std::vector<float> maxima(bytes.size() / sizeof(float));
-  std::memcpy(maxima.data(), bytes.data(), bytes.size());
-  const auto rank = static_cast<std::ptrdiff_t>((1 - coverage) * static_cast<double>(maxima.size() - 1));
-  std::nth_element(maxima.begin(), maxima.begin() + rank, maxima.end());
-  return maxima[static_cast<std::size_t>(rank)];
+std::vector<float> floats_of(const Texture& texture) {
+  const std::vector<std::uint8_t> bytes = texture.download();
+  std::vector<float> values(bytes.size() / sizeof(float));
+  std::memcpy(values.data(), bytes.data(), bytes.size());
+  return values;
 }
 
 constexpr int added_slabs = 8;  // tuned: to add is so much less work than noise that a slab of it is so much thicker
@@ -71,7 +68,7 @@ void LayerJob::shape_slab() {
 void LayerJob::find_threshold() {
   Work& work = *work_;
   work.values.layer.z =
-      static_cast<float>(work.threshold ? *work.threshold : threshold_of(work.columns, work.coverage));
+      static_cast<float>(work.threshold ? *work.threshold : threshold_of(floats_of(work.columns), work.coverage));
   work.found = true;
   work.next_z = 0;
 }

@@ -8,7 +8,7 @@ namespace cloudscape::bake {
 class LayerTexels {
  public:
   explicit LayerTexels(const BakeRecipe& recipe);
-  // The next slices of a layer, or a layer into BakedTexels::shape; true when all are in.
+  // Fills the next slices of a layer, or adds them to BakedTexels::shape; true when all layers are in.
   bool advance(std::vector<std::uint8_t>& texels);
   double progress() const;  // 0..1
 
@@ -20,12 +20,14 @@ class LayerTexels {
     BakeRecipe alone;
     ShapeRows rows;
     int first, count;  // slices
-    std::vector<float> shape;
-    int next = 0;
+    std::vector<float> shape, column_maxima;
+    int next = 0;                    // slice to fill, of its own
+    std::optional<float> threshold;  // once all are filled
+    int next_added = 0;              // slice of the volume
   };
   void fill_slices();
-  float threshold() const;
-  void add(std::vector<std::uint8_t>& texels) const;
+  void add_slices(std::vector<std::uint8_t>& texels);
+  void add(int z, std::uint8_t* texels) const;
   const BakeRecipe& recipe_;
   std::size_t layer_ = 0;
   std::optional<Work> work_;

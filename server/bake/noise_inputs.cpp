@@ -58,9 +58,4 @@ BakeBlock bake_block(const BakeRecipe& recipe) {
   return block;
 }
 
-int slab_of(int resolution) {
-  constexpr int texels = 128 * 128 * 4;
-  return std::min(std::max(texels / (resolution * resolution), 4), resolution);
-}
-
 }  // namespace cloudscape::bake

@@ -13,7 +13,4 @@ struct NoiseInputs {
 
 BakeBlock bake_block(const BakeRecipe& recipe);
 
-// tuned: slices of this shape take about 50 ms on two cores, so that a frame rendered in between is not late.
-int slab_of(int resolution);
-
 }  // namespace cloudscape::bake

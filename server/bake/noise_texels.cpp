@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <glm/gtc/packing.hpp>
 
-#include "bake/noise_inputs.h"
+#include "bake/halves.h"
 #include "bake/permutation.h"
 
 namespace cloudscape::bake {
@@ -29,16 +27,13 @@ Fbm fbm_of(const NoiseChannel& channel, double height_over_width) {
 float height_distribution(float h, float a, float b) { return (1 - std::exp(-a * h)) * std::exp(-b * h); }
 
 // shaders/lib/shape.glsl
-float tile_window(float x, float y) {
-  const float t = std::clamp(std::min({x, 1 - x, y, 1 - y}) / 0.08F, 0.0F, 1.0F);
-  return t * t * (3 - 2 * t);
-}
+float tile_window(float x, float y) { return smoothstep(0, 0.08F, std::min({x, 1 - x, y, 1 - y})); }
 
 }  // namespace
 
-void store_half(float value, std::uint8_t* bytes) {
-  const std::uint16_t half = glm::packHalf1x16(value);
-  std::memcpy(bytes, &half, sizeof half);
+float smoothstep(float low, float high, float value) {
+  const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
+  return t * t * (3 - 2 * t);
 }
 
 ChannelRows::ChannelRows(const BakeRecipe& recipe, std::size_t channel)

@@ -60,6 +60,6 @@ std::vector<std::uint8_t> variation_texels(const BakeRecipe& recipe);
 constexpr float middle_of(int texel, int texels) {
   return (static_cast<float>(texel) + 0.5F) / static_cast<float>(texels);
 }
-void store_half(float value, std::uint8_t* bytes);
+float smoothstep(float low, float high, float value);  // as GLSL has it
 
 }  // namespace cloudscape::bake

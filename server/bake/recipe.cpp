@@ -29,6 +29,17 @@ glm::ivec2 layer_slices(const LayerRecipe& layer, int resolution) {
   return {first, std::max(0, first_above(layer.top) - first)};
 }
 
+int slab_of(int resolution) {
+  constexpr int texels = 128 * 128 * 4;
+  return std::min(std::max(texels / (resolution * resolution), 4), resolution);
+}
+
+float threshold_of(std::vector<float> column_maxima, double coverage) {
+  const auto rank = static_cast<std::ptrdiff_t>((1 - coverage) * static_cast<double>(column_maxima.size() - 1));
+  std::nth_element(column_maxima.begin(), column_maxima.begin() + rank, column_maxima.end());
+  return column_maxima[static_cast<std::size_t>(rank)];
+}
+
 BakeRecipe bake_recipe(const Cloudscape& cloudscape, const std::filesystem::path& volumes) {
   BakeRecipe recipe;
   if (cloudscape.volume.kind != VolumeKind::noise) {

@@ -52,6 +52,12 @@ BakeRecipe recipe_alone(const BakeRecipe& recipe, const LayerRecipe& layer);
 // The slices of the texture whose middles lie between the layer's bottom and its top: the first, and how many.
 glm::ivec2 layer_slices(const LayerRecipe& layer, int resolution);
 
+// Slices of the shape that are baked at once. tuned: 50 ms at most on two cores, by llvmpipe, so that a frame rendered
+// in between is not late.
+int slab_of(int resolution);
+// The cut-off above which the share `coverage` of columns holds cloud, of the columns' maxima in any order.
+float threshold_of(std::vector<float> column_maxima, double coverage);
+
 // A homogeneous volume needs no noise: its recipe is one texel. `volumes`: the folder of the files that volumes may
 // name; empty: none.
 BakeRecipe bake_recipe(const Cloudscape& cloudscape, const std::filesystem::path& volumes = {});

@@ -56,7 +56,7 @@ TerrainBakeBlock block_of(const TerrainRecipe& recipe) {
   return block;
 }
 
-std::vector<float> floats_of(const std::vector<std::uint8_t>& bytes) {
+std::vector<float> floats_of(std::string_view bytes) {
   std::vector<float> values(bytes.size() / sizeof(float));
   std::memcpy(values.data(), bytes.data(), bytes.size());
   return values;
@@ -76,14 +76,32 @@ TerrainJob::TerrainJob(const gpu::ScreenPass& noise, TerrainRecipe recipe, std::
                        KeptFiles files)
     : noise_(noise), recipe_(std::move(recipe)), files_(std::move(files)), block_("terrain bake") {
   if (recipe_.height_map.empty()) {
-    if (load_noise()) return;
-    heights_ = Texture(Format::r32f, recipe_.resolution, recipe_.resolution, "terrain being baked");
-    block_.upload(block_of(recipe_));
+    files_.has(noise_name(recipe_)) ? load_noise() : begin_noise();
     return;
   }
   next_row_ = recipe_.resolution;
   texels_ = beside_frames([recipe = recipe_, folder = std::move(folder)] {
-    return terrain_texels(recipe, resampled(read_height_map(folder, recipe.height_map), recipe.resolution));
+    const HeightMap map = read_height_map(folder, recipe.height_map);
+    return std::optional(terrain_texels(recipe, resampled(map, recipe.resolution)));
+  });
+}
+
+void TerrainJob::begin_noise() {
+  next_row_ = 0;
+  heights_ = Texture(Format::r32f, recipe_.resolution, recipe_.resolution, "terrain being baked");
+  block_.upload(block_of(recipe_));
+}
+
+void TerrainJob::load_noise() {
+  next_row_ = recipe_.resolution;
+  texels_ = beside_frames([recipe = recipe_, files = files_] {
+    std::optional<TerrainTexels> texels;
+    files.load(noise_name(recipe), magic, [&](std::string_view payload) {
+      if (payload.size() != sizeof(float) * recipe.resolution * recipe.resolution) return false;
+      texels = terrain_texels(recipe, floats_of(payload));
+      return true;
+    });
+    return texels;
   });
 }
 
@@ -94,25 +112,11 @@ void TerrainJob::bake_rows() {
   noise_.run({0, next_row_, recipe_.resolution, rows}, targets, {});
   next_row_ += rows;
   if (next_row_ < recipe_.resolution) return;
-  const std::vector<std::uint8_t> noise = heights_.download();
-  files_.store(noise_name(recipe_), magic, {reinterpret_cast<const char*>(noise.data()), noise.size()});
-  make_levels(floats_of(noise));
-}
-
-bool TerrainJob::load_noise() {
-  const std::size_t points =
-      static_cast<std::size_t>(recipe_.resolution) * static_cast<std::size_t>(recipe_.resolution);
-  return files_.load(noise_name(recipe_), magic, [&](std::string_view payload) {
-    if (payload.size() != points * sizeof(float)) return false;
-    make_levels(floats_of({payload.begin(), payload.end()}));
-    return true;
+  texels_ = beside_frames([recipe = recipe_, files = files_, noise = heights_.download()] {
+    const std::string_view bytes(reinterpret_cast<const char*>(noise.data()), noise.size());
+    files.store(noise_name(recipe), magic, bytes);
+    return std::optional(terrain_texels(recipe, floats_of(bytes)));
   });
-}
-
-void TerrainJob::make_levels(std::vector<float> noise) {
-  next_row_ = recipe_.resolution;
-  texels_ = beside_frames(
-      [recipe = recipe_, noise = std::move(noise)]() mutable { return terrain_texels(recipe, std::move(noise)); });
 }
 
 bool TerrainJob::advance() {
@@ -122,7 +126,9 @@ bool TerrainJob::advance() {
   }
   constexpr auto patience = std::chrono::milliseconds(1);  // the clouds may have something to do
   if (texels_.wait_for(patience) != std::future_status::ready) return false;
-  baked_ = std::make_shared<const BakedTerrain>(texels_.get());
+  const std::optional<TerrainTexels> texels = texels_.get();
+  if (!texels) return begin_noise(), false;
+  baked_ = std::make_shared<const BakedTerrain>(*texels);
   return true;
 }
 

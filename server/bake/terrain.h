@@ -2,6 +2,7 @@
 #pragma once
 #include <future>
 #include <memory>
+#include <optional>
 
 #include "bake/blocks.h"
 #include "bake/kept_files.h"
@@ -40,15 +41,15 @@ class TerrainJob {
 
  private:
   void bake_rows();
-  bool load_noise();
-  void make_levels(std::vector<float> noise);
+  void load_noise();
+  void begin_noise();
   const gpu::ScreenPass& noise_;
   TerrainRecipe recipe_;
   KeptFiles files_;
   gpu::Texture heights_;
   gpu::UniformBlock<TerrainBakeBlock> block_;
   int next_row_ = 0;
-  std::future<TerrainTexels> texels_;
+  std::future<std::optional<TerrainTexels>> texels_;  // nullopt: the file was damaged
   std::shared_ptr<const BakedTerrain> baked_;
 };
 

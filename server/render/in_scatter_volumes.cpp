@@ -158,7 +158,7 @@ InScatterVolumes::Job* InScatterVolumes::job_of(const std::string& key) {
 InScatterVolumes::Job* InScatterVolumes::start(const Question& question, const bake::BakedCloudscape& baked) {
   stop_the_forgotten();
   Clouds& clouds = *question.clouds;
-  if (jobs_.size() >= most_jobs || !extinction_.advance(clouds.marched, baked, clouds.plan, clouds.grids))
+  if (!extinction_.advance(clouds.marched, baked, clouds.plan, clouds.grids) || jobs_.size() >= most_jobs)
     return nullptr;
   std::vector<bake::InScatterProblem> levels;
   for (const bake::InScatterGrid& grid : clouds.grids.done)

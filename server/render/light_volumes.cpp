@@ -12,7 +12,7 @@ constexpr std::size_t most_clouds = 4, most_volumes = 6;  // tuned: what the str
 LightVolumes::LightVolumes(gpu::ShaderLibrary& shaders, CloudDensities& densities, Kind kind)
     : kind_(std::move(kind)),
       densities_(densities),
-      pass_(shaders, kind_.shader),
+      shaders_(shaders),
       cloud_block_("cloud in the light"),
       block_("light in clouds") {}
 
@@ -50,7 +50,8 @@ void LightVolumes::bake_slice(const CloudBlock& cloud, Clouds& clouds, Volume& v
   cloud_block_.upload(volume.cloud), cloud_block_.bind();
   block_.upload(sun_block(volume.cloud, volume.key.light)), block_.bind();
   const gpu::Binding density{0, &clouds.density->cells};
-  pass_.run(*volume.texture, volume.next_layer, volume.next_layer + kind_.layers_per_slice, std::span(&density, 1));
+  if (!pass_) pass_.emplace(shaders_, kind_.shader);
+  pass_->run(*volume.texture, volume.next_layer, volume.next_layer + kind_.layers_per_slice, std::span(&density, 1));
   volume.next_layer += kind_.layers_per_slice;
   ++slices_;
   if (volume.is_done()) clouds.newest = volume.texture;
@@ -71,7 +72,7 @@ bool LightVolumes::prepare(const CloudDensities::Wanted& wanted, const Key& key,
 }
 
 void LightVolumes::reload(gpu::ShaderLibrary& shaders) {
-  pass_ = gpu::VolumePass(shaders, kind_.shader);
+  if (pass_) pass_ = gpu::VolumePass(shaders, kind_.shader);
   clouds_.clear();
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <list>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "render/cloud_densities.h"
@@ -54,7 +55,8 @@ class LightVolumes {
 
   Kind kind_;
   CloudDensities& densities_;
-  gpu::VolumePass pass_;
+  gpu::ShaderLibrary& shaders_;
+  std::optional<gpu::VolumePass> pass_;  // once it is wanted
   gpu::UniformBlock<CloudBlock> cloud_block_;
   gpu::UniformBlock<SunBlock> block_;
   std::list<Clouds> clouds_;  // most recently asked first

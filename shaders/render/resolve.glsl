@@ -62,18 +62,20 @@ struct Seen {
 
 // Where land moves before something far by more than half a pixel, the picture before tells which of them a pixel shows: the outline has
 // moved as the land has. (Clouds have no such outline: their edges fray.) Where it was neither that it shows now, it was hidden.
-Seen seen_at(vec2 place, Marched around, vec2 size) {
+bool was_near(vec2 before, float middle) {
+  ivec2 size = textureSize(closeness_before, 0);  // it may have been kept finer or coarser
+  return texelFetch(closeness_before, clamp(ivec2(before * vec2(size)), ivec2(0), size - 1), 0).x >= middle;
+}
+
+Seen seen_at(vec2 place, Marched around) {
   float near = around.near, far = around.far;
   vec3 at = place_before(place, near);
   Seen seen = Seen(near, at.xy, at.z);
   int edge = -around.least.w >= near && (near - far) * resolve.marched.w > 0.5 ? 1 : 0;
   for (int i = 0; i < edge; ++i) {  // a loop, which software leaves out
     float middle = 0.5 * (near + far);
-    ivec2 last = resolve.kept.xy - 1;
-    bool is_near = texelFetch(closeness_before, clamp(ivec2(at.xy * size), ivec2(0), last), 0).x >= middle;
     vec3 behind = place_before(place, far);
-    bool is_far = texelFetch(closeness_before, clamp(ivec2(behind.xy * size), ivec2(0), last), 0).x < middle;
-    if (!is_near) seen = Seen(far, behind.xy, is_far ? behind.z : 0.0);
+    if (!was_near(at.xy, middle)) seen = Seen(far, behind.xy, was_near(behind.xy, middle) ? 0.0 : behind.z);
   }
   return seen;
 }
@@ -85,7 +87,7 @@ PassOutput shade(ivec2 pixel) {
   Marched around = marched_around(pixel, stride);
   ivec2 block = pixel >> (stride >> 1);  // the stride is 1, 2 or 4: software divides integers one by one
   bool fresh = all(equal(pixel - block * stride, ivec2(resolve.marched.xy)));
-  Seen seen = seen_at(place, around, size);
+  Seen seen = seen_at(place, around);
   // A ray that met something else than the picture before had there begins anew.
   bool other = fresh && around.here.w < 0.0 && (seen.closeness + around.here.w) * resolve.marched.w > 0.5;
   float known = other ? 0.0 : seen.known * resolve.before_forward.w;

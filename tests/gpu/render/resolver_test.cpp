@@ -46,7 +46,16 @@ double difference(const Frame& a, const Frame& b) {
 
 class Resolver : public RenderTest {
  protected:
-  // Four channels of a kept picture: 32 bits each without a GPU.
+  // From within a cloud without end.
+  FrameRequest within_fog() const {
+    FrameRequest request = moving(16, 2, next_stream());
+    auto fog = std::make_shared<Cloudscape>(*request.cloudscape);
+    fog->shape.coverage = 1, fog->medium.extinction_per_m = 0.08;
+    request.cloudscape = fog;
+    request.pose.position_m.z = fog->volume.origin_m.z + 0.1 * fog->volume.size_m.z;
+    return request;
+  }
+  // Four channels of a kept picture, 32 bits each without a GPU, and how far it sees.
   static std::size_t kept_pixel_bytes() { return stack().context.device().software ? 20 : 12; }
   static Frame last_of(FrameRequest request, int frames, double turn_deg = 0, double climb_m = 0) {
     Frame frame;
@@ -152,11 +161,7 @@ TEST_F(Resolver, climbing_picture_keeps_its_clouds_in_place) {
 
 // Within a cloud a frame's rays differ by where their steps begin, and what is kept has gone by before it is a picture.
 TEST_F(Resolver, fog_has_no_dots) {
-  FrameRequest request = moving(16, 2, next_stream());
-  auto fog = std::make_shared<Cloudscape>(*request.cloudscape);
-  fog->shape.coverage = 1, fog->medium.extinction_per_m = 0.08;
-  request.cloudscape = fog;
-  request.pose.position_m.z = fog->volume.origin_m.z + 0.1 * fog->volume.size_m.z;
+  FrameRequest request = within_fog();
   FrameRequest there = request;
   there.pose.azimuth_deg += 11 * 2.0, there.pose.position_m.z += 11 * 4.0;
   EXPECT_LT(difference(last_of(request, 12, 2, 4), render(whole(there, 32))), 1.6);  // 2.4 if they are not evened
@@ -164,13 +169,10 @@ TEST_F(Resolver, fog_has_no_dots) {
 
 // Out of a cloud at once: what one sees then hardly moves, and is bounded all the same.
 TEST_F(Resolver, cloud_that_one_has_left_does_not_stay) {
-  FrameRequest request = moving(16, 2, next_stream());
-  auto fog = std::make_shared<Cloudscape>(*request.cloudscape);
-  fog->shape.coverage = 1, fog->medium.extinction_per_m = 0.08;
-  request.cloudscape = fog;
-  request.pose.position_m.z = fog->volume.origin_m.z + 0.1 * fog->volume.size_m.z;
+  FrameRequest request = within_fog();
   for (int i = 0; i < 8; ++i) renderer().render(request);
-  request.pose.position_m.z = fog->volume.origin_m.z + 2 * fog->volume.size_m.z;  // and sees the sky
+  const Volume& fog = request.cloudscape->volume;
+  request.pose.position_m.z = fog.origin_m.z + 2 * fog.size_m.z;  // and sees the sky
   FrameRequest there = request;
   there.pose.position_m.z += 2 * 0.1;
   EXPECT_LT(difference(last_of(request, 3, 0, 0.1), render(whole(there, 32))),
