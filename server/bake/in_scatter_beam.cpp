@@ -87,7 +87,7 @@ std::vector<float> beam_transmittance(const InScatterGrid& grid, const glm::dvec
       for (int y = 0; y < grid.size.y; ++y)
         for (int x = 0; x < grid.size.x; ++x) shares[point++] = share_at(glm::vec3(x, y, z));
   };
-  // The lower layers see more cloud above them.
+  // tuned: the lower layers see more cloud above them.
   const int half = grid.size.z * 2 / 5;
   const std::future<void> lower = std::async(std::launch::async, fill, 0, half);
   fill(half, grid.size.z);

@@ -1,5 +1,7 @@
 #include "render/resolver.h"
 
+#include <array>
+
 namespace cloudscape::render {
 
 using gpu::Binding, gpu::Format, gpu::ScreenPass, gpu::Texture;
@@ -19,9 +21,8 @@ Texture picture_texture(Format format, ImageSize size, const char* label) {
 }
 
 // Makes it anew where its size is another.
-void fit(Texture& display, ImageSize size) {
-  if (display && display.width() == size.width && display.height() == size.height) return;
-  display = Texture(Format::rgba8, size.width, size.height, "developed picture");
+bool fits(const Texture& texture, ImageSize size) {
+  return texture && texture.width() == size.width && texture.height() == size.height;
 }
 
 gpu::Rect whole(ImageSize size) { return {0, 0, size.width, size.height}; }
@@ -32,7 +33,8 @@ Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
     : context_(context),
       shaders_(shaders),
       even_(context, shaders, "render/resolve_even.glsl", {kept_format(context)}),
-      resolve_(context, shaders, "render/resolve.glsl", {kept_format(context), Format::r32f}),
+      resolve_(context, shaders, "render/resolve.glsl", {kept_format(context)}),
+      resolve_land_(context, shaders, "render/resolve_land.glsl", {kept_format(context), Format::r32f}),
       block_("resolve") {}
 
 ResolvedFrame Resolver::begin(const FrameRequest& asked) const {
@@ -47,12 +49,8 @@ Resolver::Shared& Resolver::shared_of(ImageSize kept, ImageSize marched) {
   constexpr std::size_t most_sizes = 4;  // tuned: sizes that alternate without being made anew each time
   if (shared_.size() > most_sizes) shared_.clear();
   Shared& shared = shared_[{kept.width, kept.height}];
-  if (!shared.spare) {
-    shared.spare = picture_texture(kept_format(context_), kept, "spare picture");
-    shared.spare_closeness = picture_texture(Format::r32f, kept, "spare closeness");
-  }
-  if (!shared.even || shared.even.width() != marched.width || shared.even.height() != marched.height)
-    shared.even = picture_texture(kept_format(context_), marched, "evened radiance");
+  if (!shared.spare) shared.spare = picture_texture(kept_format(context_), kept, "spare picture");
+  if (!fits(shared.even, marched)) shared.even = picture_texture(kept_format(context_), marched, "evened radiance");
   return shared;
 }
 
@@ -69,15 +67,22 @@ void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, 
   const Binding seen[] = {{0, &marched.radiance}, {1, &marched.depth}};
   even_.run(whole(plan.marched), even, seen);
   clock.lap("even");
-  const Binding textures[] = {{0, &shared.even},
-                              {1, before ? &picture.radiance : &shared.even},
-                              {2, before ? &picture.closeness : &shared.even}};
-  const Texture* output[] = {&shared.spare, &shared.spare_closeness};
-  resolve_.run(whole(plan.kept), output, textures);
+  const bool land = frame.asked.cloudscape->ground.kind == GroundKind::terrain;
+  Texture& closeness = shared.spare_closeness;
+  if (land && !fits(closeness, plan.kept)) closeness = picture_texture(Format::r32f, plan.kept, "spare closeness");
+  const std::array<Binding, 3> textures{{{0, &shared.even},
+                                         {1, before ? &picture.radiance : &shared.even},
+                                         {2, picture.closeness ? &picture.closeness : &shared.even}}};
+  const std::array<const Texture*, 2> outputs{&shared.spare, &closeness};
+  (land ? resolve_land_ : resolve_)
+      .run(whole(plan.kept), std::span(outputs).first(land ? 2 : 1), std::span(textures).first(land ? 3 : 2));
   clock.lap("resolve");
-  std::swap(picture.radiance, shared.spare), std::swap(picture.closeness, shared.spare_closeness);
-  if (shared.spare && (shared.spare.width() != plan.kept.width || shared.spare.height() != plan.kept.height))
-    shared.spare = {};
+  std::swap(picture.radiance, shared.spare);
+  if (land)
+    std::swap(picture.closeness, closeness);
+  else
+    picture.closeness = {};
+  if (!fits(shared.spare, plan.kept)) shared.spare = {};
   picture.view = now;
   picture.frames = frame.frame + 1;
 }
@@ -94,7 +99,8 @@ const Texture* Resolver::glow(const ResolvedFrame& frame, const Bloom& bloom, co
 const Texture& Resolver::present(const ResolvedFrame& frame, const Bloom& bloom, PassClock& clock) {
   const Picture& picture = pictures_.at(frame.asked.stream);
   const ResolvePlan& plan = frame.plan;
-  fit(developed_, plan.kept);
+  if (!fits(developed_, plan.kept))
+    developed_ = Texture(Format::rgba8, plan.kept.width, plan.kept.height, "developed picture");
   const Texture* glows = glow(frame, bloom, picture.radiance);
   if (glows) clock.lap("bloom");
   develop(picture.radiance, glows, frame.asked.display.tone_curve);
@@ -132,7 +138,8 @@ std::vector<StreamId> Resolver::remembered() const {
 std::size_t Resolver::bytes_of(StreamId stream) const {
   const auto found = pictures_.find(stream);
   if (found == pictures_.end() || !found->second.radiance) return 0;
-  return found->second.radiance.bytes() + found->second.closeness.bytes();
+  const Texture& closeness = found->second.closeness;
+  return found->second.radiance.bytes() + (closeness ? closeness.bytes() : 0);
 }
 
 std::size_t Resolver::bytes() const {
@@ -142,7 +149,7 @@ std::size_t Resolver::bytes() const {
 }
 
 void Resolver::reload(gpu::ShaderLibrary& shaders) {
-  for (ScreenPass* pass : {&even_, &resolve_}) pass->reload(shaders);
+  for (ScreenPass* pass : {&even_, &resolve_, &resolve_land_}) pass->reload(shaders);
   for (auto& [variant, pass] : develop_) pass.reload(shaders);
 }
 

@@ -40,7 +40,8 @@ class Resolver {
 
  private:
   struct Picture {
-    gpu::Texture radiance, closeness;  // 1 / distance of what is seen, 1/km
+    gpu::Texture radiance;
+    gpu::Texture closeness;  // of land: 1 / distance of what is seen, 1/km
     KeptView view;
     std::uint64_t frames = 0;
   };
@@ -56,7 +57,7 @@ class Resolver {
   const gpu::Context& context_;
   gpu::ShaderLibrary& shaders_;
   std::map<std::pair<ToneCurve, bool>, gpu::ScreenPass> develop_;  // without and with a glow; once they are wanted
-  gpu::ScreenPass even_, resolve_;
+  gpu::ScreenPass even_, resolve_, resolve_land_;
   gpu::UniformBlock<ResolveBlock> block_;
   std::map<StreamId, Picture> pictures_;
   std::map<std::pair<int, int>, Shared> shared_;

@@ -1,14 +1,13 @@
-// targets: rgba16f r32f
+// targets: rgba16f
 // The kept picture: the pixels that this frame marched, averaged with what the picture before has there, and the others from that
-// picture, re-projected by the distance and the motion of what is seen. Target 0: radiance; samples in the average / 64. Target 1: 1 /
-// distance of what is seen (1/km).
+// picture, re-projected by the distance and the motion of what is seen. Radiance; samples in the average / 64.
+// With OUTLINES, of land, target 1: 1 / distance of what is seen (1/km).
 #include "shared/frame_block.glsl"
 #include "shared/resolve_block.glsl"
 #include "render/catmull_rom.glsl"
 #include "lib/reprojection.glsl"
 layout(binding = 0) uniform sampler2D marched;  // radiance, 1 / distance (1/km; of clouds, or less than 0)
 layout(binding = 1) uniform sampler2D kept_before;
-layout(binding = 2) uniform sampler2D closeness_before;
 
 const float most_samples = 64.0;
 
@@ -62,21 +61,27 @@ struct Seen {
 
 // Where land moves before something far by more than half a pixel, the picture before tells which of them a pixel shows: the outline has
 // moved as the land has. (Clouds have no such outline: their edges fray.) Where it was neither that it shows now, it was hidden.
+#ifdef OUTLINES
+layout(binding = 2) uniform sampler2D closeness_before;
+
 bool was_near(vec2 before, float middle) {
   ivec2 size = textureSize(closeness_before, 0);  // it may have been kept finer or coarser
   return texelFetch(closeness_before, clamp(ivec2(before * vec2(size)), ivec2(0), size - 1), 0).x >= middle;
 }
+#endif
 
 Seen seen_at(vec2 place, Marched around) {
   float near = around.near, far = around.far;
   vec3 at = place_before(place, near);
   Seen seen = Seen(near, at.xy, at.z);
+#ifdef OUTLINES
   int edge = -around.least.w >= near && (near - far) * resolve.marched.w > 0.5 ? 1 : 0;
   for (int i = 0; i < edge; ++i) {  // a loop, which software leaves out
     float middle = 0.5 * (near + far);
     vec3 behind = place_before(place, far);
     if (!was_near(at.xy, middle)) seen = Seen(far, behind.xy, was_near(behind.xy, middle) ? 0.0 : behind.z);
   }
+#endif
   return seen;
 }
 
@@ -88,15 +93,22 @@ PassOutput shade(ivec2 pixel) {
   ivec2 block = pixel >> (stride >> 1);  // the stride is 1, 2 or 4: software divides integers one by one
   bool fresh = all(equal(pixel - block * stride, ivec2(resolve.marched.xy)));
   Seen seen = seen_at(place, around);
+#ifdef OUTLINES
   // A ray that met something else than the picture before had there begins anew.
   bool other = fresh && around.here.w < 0.0 && (seen.closeness + around.here.w) * resolve.marched.w > 0.5;
-  float known = other ? 0.0 : seen.known * resolve.before_forward.w;
+  if (other) seen.known = 0.0;
+#endif
+  float known = seen.known * resolve.before_forward.w;
   float motion = clamp(length((seen.before - place) * size), 0.0, 1.0);
   vec4 kept = catmull_rom(kept_before, seen.before, size);
   float margin = mix(resolve.trust.z, resolve.trust.w, motion);
   float samples = known * min(kept.w * most_samples, mix(resolve.trust.x, resolve.trust.y, motion));
   vec3 average = mix(around.here.xyz, within(around, kept.xyz, margin), known);
   float weight = fresh ? 1.0 / (samples + 1.0) : 0.0;
-  return PassOutput(vec4(mix(average, around.here.xyz, weight), (samples + (fresh ? 1.0 : 0.0)) / most_samples),
-                    vec4(fresh ? abs(around.here.w) : seen.closeness));
+  vec4 kept_now = vec4(mix(average, around.here.xyz, weight), (samples + (fresh ? 1.0 : 0.0)) / most_samples);
+#ifdef OUTLINES
+  return PassOutput(kept_now, vec4(fresh ? abs(around.here.w) : seen.closeness));
+#else
+  return PassOutput(kept_now);
+#endif
 }

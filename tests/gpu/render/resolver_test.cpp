@@ -55,8 +55,8 @@ class Resolver : public RenderTest {
     request.pose.position_m.z = fog->volume.origin_m.z + 0.1 * fog->volume.size_m.z;
     return request;
   }
-  // Four channels of a kept picture, 32 bits each without a GPU, and how far it sees.
-  static std::size_t kept_pixel_bytes() { return stack().context.device().software ? 20 : 12; }
+  // Four channels of a kept picture, 32 bits each without a GPU.
+  static std::size_t kept_pixel_bytes() { return stack().context.device().software ? 16 : 8; }
   static Frame last_of(FrameRequest request, int frames, double turn_deg = 0, double climb_m = 0) {
     Frame frame;
     for (int i = 0; i < frames; ++i) {
