@@ -6,6 +6,7 @@
 
 #include "core/enlarge.h"
 #include "core/error.h"
+#include "core/ms_since.h"
 #include "core/version.h"
 #include "encode/formats.h"
 
@@ -55,7 +56,7 @@ EncodedFrame encode(const Frame& frame, const Encoding& encoding, std::size_t fr
   const Frame& whole = frame.enlargement ? larger : frame;
   check(whole, encoding.format);
   EncodedFrame encoded{encode_checked(whole, encoding, front), front, encoding.format, 0};
-  encoded.encode_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  encoded.encode_ms = ms_since(start);
   return encoded;
 }
 

@@ -51,12 +51,18 @@ class Framebuffer {
   GLuint id_ = 0;
 };
 
-void draw(Rect rect, std::span<const Texture* const> targets) {
+// What the wrappers and the vertex shader of tiles know of a run.
+struct PassBlock {
+  Rect rect;
+  int columns = 0, width = 0, height = 0, unused = 0;  // of tiles, where they are drawn; of the targets
+};
+
+void draw(Rect rect, std::span<const Texture* const> targets, int vertices = 3) {
   const Framebuffer framebuffer(targets);
   glViewport(0, 0, targets[0]->width(), targets[0]->height());
   glEnable(GL_SCISSOR_TEST);
   glScissor(rect.x, rect.y, rect.width, rect.height);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDrawArrays(GL_TRIANGLES, 0, vertices);
   glDisable(GL_SCISSOR_TEST);
 }
 
@@ -81,16 +87,17 @@ void upload(UniformBuffer& block, const Numbers& numbers) {
 }  // namespace
 
 ScreenPass::ScreenPass(const Context& context, ShaderLibrary& shaders, const std::string& path,
-                       std::vector<Format> targets, const std::string& defines)
-    : ScreenPass(context.execution(), shaders, path, std::move(targets), defines) {}
+                       std::vector<Format> targets, const std::string& defines, Shades shades)
+    : ScreenPass(context.execution(), shaders, path, std::move(targets), defines, shades) {}
 
 ScreenPass::ScreenPass(PassExecution execution, ShaderLibrary& shaders, const std::string& path,
-                       std::vector<Format> targets, std::string defines)
+                       std::vector<Format> targets, std::string defines, Shades shades)
     : path_(path),
       defines_(std::move(defines)),
       formats_(std::move(targets)),
       execution_(execution),
-      rect_(sizeof(Rect), path + " rect") {
+      shades_(shades),
+      block_(sizeof(PassBlock), path + " pass") {
   if (formats_.empty() || formats_.size() > most_targets)
     throw Error("the screen pass '" + path + "' needs 1 to " + std::to_string(most_targets) + " targets");
   program_ = build(shaders);
@@ -99,7 +106,8 @@ ScreenPass::ScreenPass(PassExecution execution, ShaderLibrary& shaders, const st
 Program ScreenPass::build(ShaderLibrary& shaders) const {
   const Wrapper wrapper = screen_wrapper(execution_, formats_);
   const ShaderSource source = shaders.load(path_, defines_ + wrapper.prologue, wrapper.epilogue);
-  return execution_ == PassExecution::compute ? Program::compute(source, path_) : Program::fragment(source, path_);
+  return execution_ == PassExecution::compute ? Program::compute(source, path_)
+                                              : Program::fragment(source, path_, shades_ == Shades::rects_and_tiles);
 }
 
 void ScreenPass::reload(ShaderLibrary& shaders) {
@@ -128,15 +136,33 @@ void ScreenPass::check(std::span<const Texture* const> targets, std::span<const 
   }
 }
 
+void ScreenPass::use(std::span<const Binding> textures) const {
+  glUseProgram(program_.id());
+  bind_textures(textures);
+}
+
 void ScreenPass::run(Rect rect, std::span<const Texture* const> targets, std::span<const Binding> textures) const {
   check(targets, textures);
   const Rect area = clipped(rect, *targets[0]);
   if (area.width <= 0 || area.height <= 0) return;
-  glUseProgram(program_.id());
-  bind_textures(textures);
-  if (execution_ == PassExecution::fragment) return draw(area, targets);
-  upload(rect_, std::array{area.x, area.y, area.width, area.height});
-  dispatch(area, targets);
+  use(textures);
+  const bool draws = execution_ == PassExecution::fragment;
+  if (!draws || shades_ == Shades::rects_and_tiles) upload(block_, std::array{PassBlock{area}});
+  draws ? draw(area, targets) : dispatch(area, targets);
+}
+
+void ScreenPass::run_tiles(const TileMarks& marks, std::span<const Texture* const> targets,
+                           std::span<const Binding> textures) const {
+  const Rect all{0, 0, targets[0]->width(), targets[0]->height()};
+  if (execution_ == PassExecution::compute) return run(all, targets, textures);
+  if (shades_ == Shades::rects) throw Error("the screen pass '" + path_ + "' shades no tiles");
+  check(targets, textures);
+  use(textures);
+  const Texture& tiles = marks.texture();
+  glBindTextureUnit(tile_marks_unit, tiles.id());
+  upload(block_, std::array{PassBlock{all, tiles.width(), all.width, all.height}});
+  constexpr int vertices_per_tile = 6;
+  draw(all, targets, vertices_per_tile * tiles.width() * tiles.height());
 }
 
 VolumePass::VolumePass(ShaderLibrary& shaders, const std::string& path)

@@ -6,14 +6,10 @@
 #include "core/error.h"
 #include "gpu/gl.h"
 #include "gpu/pass.h"
+#include "gpu/pass_wrapper.h"
 
 namespace cloudscape::gpu {
 namespace {
-
-// One triangle that covers the viewport; its corners come from the vertex number alone.
-constexpr const char* full_screen_triangle =
-    "#version 450 core\n"
-    "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }\n";
 
 template <class GetParameter, class GetLog>
 std::string log_of(GLuint id, GetParameter get_parameter, GetLog get_log) {
@@ -88,8 +84,8 @@ Program Program::compute(const ShaderSource& source, const std::string& label) {
   return program;
 }
 
-Program Program::fragment(const ShaderSource& source, const std::string& label) {
-  const Stage triangle(GL_VERTEX_SHADER, {full_screen_triangle, {}}, "full-screen triangle");
+Program Program::fragment(const ShaderSource& source, const std::string& label, bool tiles) {
+  const Stage triangle(GL_VERTEX_SHADER, {tiles ? tiles_shader() : triangle_shader(), {}}, "full-screen triangle");
   const Stage stage(GL_FRAGMENT_SHADER, source, label);
   Program program;
   program.id_ = glCreateProgram();

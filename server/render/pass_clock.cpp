@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/cpu_time.h"
+#include "core/ms_since.h"
 
 namespace cloudscape::render {
 
@@ -23,7 +24,7 @@ void PassClock::lap(std::string_view pass) {
   }
   context_->finish();
   PassTime& time = pass_named(pass);
-  time.ms += std::chrono::duration<double, std::milli>(Clock::now() - at_).count();
+  time.ms += ms_since(at_);
   time.cpu_ms += process_cpu_ms() - cpu_ms_;
   start();
 }

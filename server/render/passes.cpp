@@ -6,9 +6,49 @@ namespace cloudscape::render {
 
 using gpu::Binding, gpu::Format, gpu::ScreenPass, gpu::Texture;
 
+namespace {
+
+constexpr auto tiles_too = gpu::Shades::rects_and_tiles;
+
+std::vector<Binding> march_textures(const Targets& targets, const SkyTables::Set& sky, const Passes::Medium& medium,
+                                    const Texture& kept) {
+  std::vector<Binding> textures{{0, &medium.baked.shape()},     {1, &medium.baked.detail()},
+                                {2, &medium.baked.variation()}, {3, &targets.scene_depth},
+                                {4, &medium.nearness},          {6, &sky.lights->cloud_sun},
+                                {8, &sky.air->transmittance},   {10, &sky.lights->light},
+                                {14, &sky.view->aerial},        {16, &kept}};
+  if (medium.phase) textures.push_back({5, medium.phase});
+  if (medium.in_scatter)
+    textures.insert(textures.end(), {{11, &medium.in_scatter->mean}, {12, &medium.in_scatter->directed}});
+  if (medium.sun_depth) textures.push_back({13, medium.sun_depth});
+  if (medium.ambient) textures.push_back({15, medium.ambient});
+  return textures;
+}
+
+std::vector<Binding> scene_textures(const SkyTables::Set& sky, const Passes::Medium& medium, const Texture& kept) {
+  std::vector<Binding> textures(medium.land.begin(), medium.land.end());
+  textures.insert(textures.end(), {{7, &sky.view->aerosol},
+                                   {8, &sky.air->transmittance},
+                                   {9, &sky.view->even},
+                                   {10, &sky.lights->light},
+                                   {14, &sky.view->aerial},
+                                   {16, &kept}});
+  return textures;
+}
+
+// Of the format of kept pictures, and no power of two in size: else llvmpipe compiles programs anew for those.
+Texture nothing(const gpu::Context& context) {
+  Texture texture(context.device().software ? Format::rgba32f : Format::rgba16f, 3, 3, "nothing kept");
+  texture.clear();
+  texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
+  return texture;
+}
+
+}  // namespace
+
 Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
-    : half_scene_(context, shaders, "render/scene.glsl", {Format::rgba16f, Format::r32f}),
-      full_scene_(context, shaders, "render/scene.glsl", {Format::rgba32f, Format::r32f}),
+    : half_scene_(context, shaders, "render/scene.glsl", {Format::rgba16f, Format::r32f}, {}, tiles_too),
+      full_scene_(context, shaders, "render/scene.glsl", {Format::rgba32f, Format::r32f}, {}, tiles_too),
       context_(context),
       shaders_(shaders),
       smooth_(context, shaders, "render/smooth.glsl", {Format::rgba16f, Format::rg32f}),
@@ -17,6 +57,7 @@ Passes::Passes(const gpu::Context& context, gpu::ShaderLibrary& shaders)
                        "#define WHOLE_AND_ALONE\n"),
       tone_map_(context, shaders, "render/tone_map.glsl", {Format::rgba8}),
       tone_map_bloom_(context, shaders, "render/tone_map_bloom.glsl", {Format::rgba8}),
+      nothing_kept_(nothing(context)),
       bloom_(context, shaders) {}
 
 SceneKind scene_kind_of(const Cloudscape& cloudscape) {
@@ -30,7 +71,7 @@ const ScreenPass& Passes::scene_with(SceneKind kind, bool float32) const {
   auto& pass = scenes_[(water ? 2 : 0) + (float32 ? 1 : 0)];
   const Format radiance = float32 ? Format::rgba32f : Format::rgba16f;
   const char* path = water ? "render/scene_water.glsl" : "render/scene_land.glsl";
-  if (!pass) pass.emplace(context_, shaders_, path, std::vector{radiance, Format::r32f});
+  if (!pass) pass.emplace(context_, shaders_, path, std::vector{radiance, Format::r32f}, "", tiles_too);
   return *pass;
 }
 
@@ -50,40 +91,33 @@ const ScreenPass& Passes::march_of(const Medium& medium, bool float32) const {
   if (const auto found = marches_.find(name); found != marches_.end()) return found->second;
   if (marches_.size() >= most_programs) marches_.clear();
   const std::vector formats{float32 ? Format::rgba32f : Format::rgba16f, Format::rg32f};
-  return marches_.try_emplace(name, context_, shaders_, "render/march.glsl", formats, defines).first->second;
+  return marches_.try_emplace(name, context_, shaders_, "render/march.glsl", formats, defines, tiles_too).first->second;
 }
 
 void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end,
                    PassClock& clock) const {
   const int divisor = targets.march_divisor;
-  const Binding tables[] = {{8, &sky.air->transmittance}, {10, &sky.lights->light}, {14, &sky.view->aerial}};
-  std::vector<Binding> textures{{0, &medium.baked.shape()},
-                                {1, &medium.baked.detail()},
-                                {2, &medium.baked.variation()},
-                                {3, &targets.scene_depth},
-                                {4, &medium.nearness},
-                                tables[0],
-                                tables[1],
-                                tables[2],
-                                {6, &sky.lights->cloud_sun}};
-  if (medium.phase) textures.push_back({5, medium.phase});
-  if (medium.in_scatter)
-    textures.insert(textures.end(), {{11, &medium.in_scatter->mean}, {12, &medium.in_scatter->directed}});
-  if (medium.sun_depth) textures.push_back({13, medium.sun_depth});
-  if (medium.ambient) textures.push_back({15, medium.ambient});
-  std::vector<Binding> scene_textures(medium.land.begin(), medium.land.end());
-  scene_textures.insert(scene_textures.end(), std::begin(tables), std::end(tables));
-  scene_textures.insert(scene_textures.end(), {{7, &sky.view->aerosol}, {9, &sky.view->even}});
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
   const int scene_end = std::min(row_end * divisor, targets.size.height);
   scene_with(medium.scene, targets.float32)
-      .run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene, scene_textures);
+      .run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene,
+           scene_textures(sky, medium, nothing_kept_));
   clock.lap("scene");
   const glm::ivec2 origin = targets.march_origin;
   march_of(medium, targets.float32)
-      .run({origin.x, origin.y + row_begin, targets.march_size.width, row_end - row_begin}, march, textures);
+      .run({origin.x, origin.y + row_begin, targets.march_size.width, row_end - row_begin}, march,
+           march_textures(targets, sky, medium, nothing_kept_));
   clock.lap("march");
+}
+
+void Passes::march_newly(const Targets& targets, const SkyTables::Set& sky, const Medium& medium,
+                         const NewlySeen& newly, PassClock& clock) const {
+  const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
+  const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
+  scene_with(medium.scene, targets.float32).run_tiles(newly.marks, scene, scene_textures(sky, medium, newly.kept));
+  march_of(medium, targets.float32).run_tiles(newly.marks, march, march_textures(targets, sky, medium, newly.kept));
+  clock.lap("newly_seen");
 }
 
 void Passes::composite(const Targets& targets, const Accumulation& previous, PassClock& clock) const {

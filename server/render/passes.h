@@ -32,7 +32,7 @@ class Passes {
     const bake::BakedCloudscape& baked;
     const gpu::Texture& nearness;         // the distance field, or the structure
     bool distances = true;                // which of them
-    std::span<const gpu::Binding> land;   // textures of the scene's terrain and water
+    std::vector<gpu::Binding> land;       // textures of the scene's terrain and water
     const gpu::Texture* phase = nullptr;  // the table of a phase function that is looked up
     const InScatterVolume* in_scatter = nullptr;
     const gpu::Texture* sun_depth = nullptr;  // where clouds cast shadows
@@ -42,6 +42,13 @@ class Passes {
   };
   void march(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, int row_begin, int row_end,
              PassClock& clock) const;
+  // The same for the pixels of marked tiles of which nothing is kept, where the frame block asks for those alone.
+  struct NewlySeen {
+    const gpu::TileMarks& marks;
+    const gpu::Texture& kept;
+  };
+  void march_newly(const Targets& targets, const SkyTables::Set& sky, const Medium& medium, const NewlySeen& newly,
+                   PassClock& clock) const;
   // The whole picture into targets.scratch, averaged with `previous`.
   void composite(const Targets& targets, const Accumulation& previous, PassClock& clock) const;
   // With the glow of `targets.bloom`, if there is one.
@@ -58,6 +65,7 @@ class Passes {
   mutable std::array<std::optional<gpu::ScreenPass>, 4> scenes_;  // of land and water; once they are wanted
   mutable std::map<std::string, gpu::ScreenPass> marches_;        // by their defines and bits; once they are wanted
   gpu::ScreenPass smooth_, composite_, composite_alone_, tone_map_, tone_map_bloom_;
+  gpu::Texture nothing_kept_;  // where every pixel is asked for
   Bloom bloom_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/enlarge.h"
 #include "core/march_steps.h"
+#include "core/ms_since.h"
 #include "core/sun_position.h"
 #include "render/block_values.h"
 
@@ -17,10 +18,6 @@ using Clock = std::chrono::steady_clock;
 // both cores busy. A GPU takes slices by their work instead, since waiting for each would leave it idle.
 constexpr double slice_ms = 60;
 constexpr double gpu_steps_per_slice = 2e9;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Red, green, blue of texels of four.
 void drop_every_fourth(std::vector<float>& values) {
@@ -176,6 +173,15 @@ Passes::Medium Renderer::medium_of(const RenderJob& job) {
   return medium;
 }
 
+// With them, whose blocks it binds.
+Passes::Medium Renderer::medium_and_scene_of(const RenderJob& job) {
+  Passes::Medium medium = medium_of(job);
+  medium.scene = scene_kind_of(*job.request.cloudscape);
+  medium.land = terrain_.bind(job.request, job.land);
+  std::ranges::copy(water_.bind(job.request, job.water), std::back_inserter(medium.land));
+  return medium;
+}
+
 // What water reflects.
 bool Renderer::find_water(RenderJob& job) {
   if (!has_water(*job.request.cloudscape)) return true;
@@ -225,11 +231,7 @@ void Renderer::render_rows(RenderJob& job) {
   const SkyTables::Set sky = bind_blocks(job, job.sample);
   job.passes.lap("sky");
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_size.height);
-  auto land = terrain_.bind(job.request, job.land);
-  std::ranges::copy(water_.bind(job.request, job.water), std::back_inserter(land));
-  Passes::Medium medium = medium_of(job);
-  medium.land = land, medium.scene = scene_kind_of(*job.request.cloudscape);
-  passes_.march(*job.targets, sky, medium, job.row, end, job.passes);
+  passes_.march(*job.targets, sky, medium_and_scene_of(job), job.row, end, job.passes);
   const double pixels = static_cast<double>(end - job.row) * job.targets->march_size.width;
   job.row = end;
   if (!context_.device().software) return context_.flush();
@@ -240,7 +242,7 @@ void Renderer::render_rows(RenderJob& job) {
 void Renderer::finish_sample(RenderJob& job) {
   if (job.resolved) {
     passes_.composite(*job.targets, Accumulation{}, job.passes);
-    resolver_.resolve(*job.resolved, job.targets->scratch, job.passes);
+    if (resolver_.resolve(*job.resolved, job.targets->scratch, job.passes)) march_newly_seen(job);
     ++job.sample;
     return;
   }
@@ -272,25 +274,6 @@ PendingFrame Renderer::finish(std::unique_ptr<RenderJob> job) {
   job->passes.lap("read_back");
   context_.flush();
   pending.request = std::move(job->request);
-  pending.timings.render_ms = job->render_ms + ms_since(start);
-  pending.timer = std::move(job->timer);
-  pending.passes = std::move(job->passes);
-  pool_.release(std::move(job->targets));
-  return pending;
-}
-
-PendingFrame Renderer::finish_resolved(std::unique_ptr<RenderJob> job) {
-  const auto start = Clock::now();
-  frame_block_.upload(frame_block(job->resolved->asked, 0));
-  frame_block_.bind();
-  job->passes.start();
-  PendingFrame pending;
-  pending.samples = 1;
-  pending.display = gpu::Readback(resolver_.present(*job->resolved, passes_.bloom(), job->passes), readbacks_);
-  pending.enlargement = enlargement_of(job->resolved->plan);
-  job->passes.lap("read_back");
-  context_.flush();
-  pending.request = std::move(job->resolved->asked);
   pending.timings.render_ms = job->render_ms + ms_since(start);
   pending.timer = std::move(job->timer);
   pending.passes = std::move(job->passes);

@@ -99,6 +99,7 @@ class Renderer {
   bool find_sun_depth(RenderJob& job);
   bool find_water(RenderJob& job);
   Passes::Medium medium_of(const RenderJob& job);
+  Passes::Medium medium_and_scene_of(const RenderJob& job);
   static bake::PhaseRecipe phase_recipe(const Phase& phase);
   bool advance_trace(RenderJob& job);
   void finish_trace(RenderJob& job);
@@ -106,6 +107,7 @@ class Renderer {
   SkyTables::Set bind_blocks(const RenderJob& job, int sample);
   void render_rows(RenderJob& job);
   void finish_sample(RenderJob& job);
+  void march_newly_seen(RenderJob& job);
   PendingFrame finish_resolved(std::unique_ptr<RenderJob> job);
   int rows_of_next_slice(const RenderJob& job) const;
 

@@ -1,4 +1,5 @@
 // The renderer's pictures that are path-traced.
+#include "core/ms_since.h"
 #include "render/renderer.h"
 
 namespace cloudscape::render {
@@ -29,7 +30,7 @@ bool Renderer::advance_trace(RenderJob& job) {
   const bool done = tracer_.advance(*job.trace, scene);
   if (done) finish_trace(job);
   job.passes.lap("trace");
-  job.render_ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  job.render_ms += ms_since(start);
   return done;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/wind.h"
+#include "render/newly_seen.h"
 
 namespace cloudscape::render {
 namespace {
@@ -19,14 +20,6 @@ int whole_blocks(int shown_px, int divisor, int stride) {
   return (kept + stride - 1) / stride * stride;
 }
 
-double half_height_of(double vertical_fov_deg) { return std::tan(0.5 * vertical_fov_deg / degrees_per_radian); }
-
-// Whether the clouds are the same ones, be it in another light.
-bool same_clouds(const Cloudscape& a, const Cloudscape& b) {
-  return a.volume == b.volume && a.noise == b.noise && a.shape == b.shape && a.detail == b.detail && a.seed == b.seed &&
-         a.ground == b.ground;
-}
-
 bool same_light(const Cloudscape& a, const Cloudscape& b) {
   return a.sun == b.sun && a.moon == b.moon && a.sky == b.sky && a.medium == b.medium;
 }
@@ -37,8 +30,30 @@ constexpr double resting_samples = 32, slow_samples = 16, moving_samples = 2, ne
 // tuned: by how much of its range a neighbourhood of noisy samples is widened. Wider keeps what falls between the
 // samples, and what has gone: the shape of a hill that one has flown past. A resting picture needs no bound at all.
 constexpr double resting_margin = 1e4, slow_margin = 4, moving_margin = 0.6, new_light_margin = 0;
+FrameRequest request_of_rays(const FrameRequest& asked, const ResolvePlan& plan, ImageSize size) {
+  FrameRequest request = asked;
+  request.size_px = size;
+  request.lens.vertical_fov_deg = kept_view(asked, plan).vertical_fov_deg;
+  request.sample_share = static_cast<double>(size.width) / plan.kept.width;
+  request.quality.smooth = false;
+  request.quality.march_divisor = 1;
+  request.quality.samples = 1;
+  return request;
+}
 
 }  // namespace
+
+double half_height_of(double vertical_fov_deg) { return std::tan(0.5 * vertical_fov_deg / degrees_per_radian); }
+
+bool same_clouds(const Cloudscape& a, const Cloudscape& b) {
+  return a.volume == b.volume && a.noise == b.noise && a.shape == b.shape && a.detail == b.detail && a.seed == b.seed &&
+         a.ground == b.ground;
+}
+
+double moved_m(const KeptView& now, const KeptView& before) {
+  const glm::dvec2 drift = drift_m_per_s(*now.cloudscape) * (now.time_s - before.time_s);
+  return glm::length(now.pose.position_m - before.pose.position_m - glm::dvec3(drift, 0));
+}
 
 bool continues_picture(const FrameRequest& request) {
   const RenderQuality& quality = request.quality;
@@ -74,14 +89,11 @@ glm::ivec2 marched_pixel(int stride, std::uint64_t frame) {
 }
 
 FrameRequest marched_request(const FrameRequest& asked, const ResolvePlan& plan) {
-  FrameRequest request = asked;
-  request.size_px = plan.marched;
-  request.lens.vertical_fov_deg = kept_view(asked, plan).vertical_fov_deg;
-  request.sample_share = 1.0 / plan.stride;
-  request.quality.smooth = false;
-  request.quality.march_divisor = 1;
-  request.quality.samples = 1;
-  return request;
+  return request_of_rays(asked, plan, plan.marched);
+}
+
+FrameRequest newly_seen_request(const FrameRequest& asked, const ResolvePlan& plan) {
+  return request_of_rays(asked, plan, plan.kept);
 }
 
 glm::dvec2 marched_offset(const ResolvePlan& plan, std::uint64_t frame, bool resting) {
@@ -121,16 +133,16 @@ ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const K
   const bool new_light = !same_light(*then.cloudscape, *now.cloudscape);
   const glm::ivec2 at = marched_pixel(plan.stride, frame);
   ResolveBlock block{};
-  block.kept = {plan.kept.width, plan.kept.height, plan.stride, 0};
+  block.kept = {plan.kept.width, plan.kept.height, plan.stride, marches_newly_seen(plan, now, before)};
   block.before_right = xyz_w(axes.right, half_height_of(then.vertical_fov_deg));
   block.before_up = xyz_w(axes.up, then.aspect);
   block.before_forward = xyz_w(axes.forward, known);
   block.moved = xyz_w(now.pose.position_m - then.pose.position_m, half_height_of(now.vertical_fov_deg));
-  block.drift = xyz_w(glm::dvec3(drift, 0), 0);
   resting = resting && known;
   const bool slow = now.time_s == then.time_s;  // where the view, too, hardly moves
-  const double per_km = 0.001 * glm::length(now.pose.position_m - then.pose.position_m - glm::dvec3(drift, 0));
+  const double per_km = 0.001 * moved_m(now, then);
   const double parallax_px = per_km * 0.5 * plan.kept.height / half_height_of(now.vertical_fov_deg);
+  block.drift = xyz_w(glm::dvec3(drift, 0), 1000 * most_newly_seen_closeness_per_m(moved_m(now, then)));
   block.marched = {at.x, at.y, resting ? 0 : 1, parallax_px};
   block.trust = {moving_samples, moving_samples, moving_margin, moving_margin};
   if (slow) block.trust.x = slow_samples, block.trust.z = slow_margin;

@@ -27,6 +27,8 @@ glm::ivec2 marched_pixel(int stride, std::uint64_t frame);
 
 // The frame that marches one pixel of each block: its pixels are the blocks.
 FrameRequest marched_request(const FrameRequest& asked, const ResolvePlan& plan);
+// The frame of all kept pixels, of which those are marched that are newly seen.
+FrameRequest newly_seen_request(const FrameRequest& asked, const ResolvePlan& plan);
 // Offset of its rays, in its pixels, from the middles of the blocks. While the view rests each pixel's move about
 // within it, so that its average has smooth edges; what moves shows each of them for too short a time.
 glm::dvec2 marched_offset(const ResolvePlan& plan, std::uint64_t frame, bool resting);
@@ -42,6 +44,9 @@ struct KeptView {
   std::shared_ptr<const Cloudscape> cloudscape;
 };
 KeptView kept_view(const FrameRequest& asked, const ResolvePlan& plan);
+double half_height_of(double vertical_fov_deg);               // where the distance is 1
+bool same_clouds(const Cloudscape& a, const Cloudscape& b);   // be it in another light
+double moved_m(const KeptView& now, const KeptView& before);  // against the clouds
 // `before`: nullopt if there is none that this one could continue. `resting`: whether that showed the same.
 ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const KeptView& now,
                            const std::optional<KeptView>& before, bool resting);

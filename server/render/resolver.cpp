@@ -25,6 +25,10 @@ bool fits(const Texture& texture, ImageSize size) {
   return texture && texture.width() == size.width && texture.height() == size.height;
 }
 
+constexpr auto tiles_too = gpu::Shades::rects_and_tiles;
+
+bool has_land(const ResolvedFrame& frame) { return frame.asked.cloudscape->ground.kind == GroundKind::terrain; }
+
 gpu::Rect whole(ImageSize size) { return {0, 0, size.width, size.height}; }
 
 }  // namespace
@@ -35,6 +39,9 @@ Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       even_(context, shaders, "render/resolve_even.glsl", {kept_format(context)}),
       resolve_(context, shaders, "render/resolve.glsl", {kept_format(context)}),
       resolve_land_(context, shaders, "render/resolve_land.glsl", {kept_format(context), Format::r32f}),
+      newly_seen_(context, shaders, "render/newly_seen.glsl", {kept_format(context)}, "", tiles_too),
+      newly_seen_land_(context, shaders, "render/newly_seen_land.glsl", {kept_format(context), Format::r32f}, "",
+                       tiles_too),
       block_("resolve") {}
 
 ResolvedFrame Resolver::begin(const FrameRequest& asked) const {
@@ -51,31 +58,35 @@ Resolver::Shared& Resolver::shared_of(ImageSize kept, ImageSize marched) {
   Shared& shared = shared_[{kept.width, kept.height}];
   if (!shared.spare) shared.spare = picture_texture(kept_format(context_), kept, "spare picture");
   if (!fits(shared.even, marched)) shared.even = picture_texture(kept_format(context_), marched, "evened radiance");
+  if (!shared.marks) shared.marks = gpu::TileMarks(kept.width, kept.height);
   return shared;
 }
 
-void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock) {
+bool Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock) {
   const ResolvePlan& plan = frame.plan;
   Shared& shared = shared_of(plan.kept, plan.marched);
   Picture& picture = pictures_[frame.asked.stream];
   const KeptView now = kept_view(frame.asked, plan);
   const bool before = static_cast<bool>(picture.radiance);
-  block_.upload(
-      resolve_block(plan, frame.frame, now, before ? std::optional(picture.view) : std::nullopt, frame.resting));
+  const ResolveBlock block =
+      resolve_block(plan, frame.frame, now, before ? std::optional(picture.view) : std::nullopt, frame.resting);
+  block_.upload(block);
   block_.bind();
   const Texture* even[] = {&shared.even};
   const Binding seen[] = {{0, &marched.radiance}, {1, &marched.depth}};
   even_.run(whole(plan.marched), even, seen);
   clock.lap("even");
-  const bool land = frame.asked.cloudscape->ground.kind == GroundKind::terrain;
+  const bool land = has_land(frame);
   Texture& closeness = shared.spare_closeness;
   if (land && !fits(closeness, plan.kept)) closeness = picture_texture(Format::r32f, plan.kept, "spare closeness");
   const std::array<Binding, 3> textures{{{0, &shared.even},
                                          {1, before ? &picture.radiance : &shared.even},
                                          {2, picture.closeness ? &picture.closeness : &shared.even}}};
   const std::array<const Texture*, 2> outputs{&shared.spare, &closeness};
+  shared.marks.begin();
   (land ? resolve_land_ : resolve_)
       .run(whole(plan.kept), std::span(outputs).first(land ? 2 : 1), std::span(textures).first(land ? 3 : 2));
+  shared.marks.end();
   clock.lap("resolve");
   std::swap(picture.radiance, shared.spare);
   if (land)
@@ -85,6 +96,25 @@ void Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, 
   if (!fits(shared.spare, plan.kept)) shared.spare = {};
   picture.view = now;
   picture.frames = frame.frame + 1;
+  return block.kept.w != 0;
+}
+
+Passes::NewlySeen Resolver::newly_seen(const ResolvedFrame& frame) const {
+  const ImageSize kept = frame.plan.kept;
+  return {shared_.at({kept.width, kept.height}).marks, pictures_.at(frame.asked.stream).radiance};
+}
+
+void Resolver::add_newly_seen(const ResolvedFrame& frame, const Targets& targets, PassClock& clock) {
+  const Picture& picture = pictures_.at(frame.asked.stream);
+  const std::array<Binding, 4> textures{{{0, &targets.scene_radiance},
+                                         {1, &targets.scene_depth},
+                                         {2, &targets.march_radiance},
+                                         {3, &targets.march_depth}}};
+  const std::array<const Texture*, 2> outputs{&picture.radiance, &picture.closeness};
+  const bool land = has_land(frame);
+  (land ? newly_seen_land_ : newly_seen_)
+      .run_tiles(newly_seen(frame).marks, std::span(outputs).first(land ? 2 : 1), textures);
+  clock.lap("newly_seen");
 }
 
 const Texture* Resolver::glow(const ResolvedFrame& frame, const Bloom& bloom, const Texture& radiance) {
@@ -149,7 +179,7 @@ std::size_t Resolver::bytes() const {
 }
 
 void Resolver::reload(gpu::ShaderLibrary& shaders) {
-  for (ScreenPass* pass : {&even_, &resolve_, &resolve_land_}) pass->reload(shaders);
+  for (ScreenPass* pass : {&even_, &resolve_, &resolve_land_, &newly_seen_, &newly_seen_land_}) pass->reload(shaders);
   for (auto& [variant, pass] : develop_) pass.reload(shaders);
 }
 

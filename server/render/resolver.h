@@ -7,6 +7,7 @@
 #include "gpu/pass.h"
 #include "render/bloom.h"
 #include "render/pass_clock.h"
+#include "render/passes.h"
 #include "render/resolve_plan.h"
 #include "render/targets.h"
 
@@ -25,8 +26,12 @@ class Resolver {
   Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders);
   ResolvedFrame begin(const FrameRequest& asked) const;
   // Continues the stream's picture with what was marched into `marched` (radiance and distance of what is seen). The
-  // frame block of the marched request must be bound.
-  void resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock);
+  // frame block of the marched request must be bound. Whether the picture has parts that are newly seen and ask for
+  // rays of their own: newly_seen tells which.
+  bool resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock);
+  Passes::NewlySeen newly_seen(const ResolvedFrame& frame) const;
+  // Puts those, marched into `targets`, into the picture. The frame block of the newly seen request must be bound.
+  void add_newly_seen(const ResolvedFrame& frame, const Targets& targets, PassClock& clock);
   // The stream's picture in display values, as small as it is kept; until the next one is. The frame block must be
   // bound.
   const gpu::Texture& present(const ResolvedFrame& frame, const Bloom& bloom, PassClock& clock);
@@ -47,6 +52,7 @@ class Resolver {
   };
   struct Shared {  // by the streams of a size: nothing in it outlives a frame
     gpu::Texture even, spare, spare_closeness;
+    gpu::TileMarks marks;  // what is newly seen
     std::unique_ptr<BloomChain> bloom;
   };
   Shared& shared_of(ImageSize kept, ImageSize marched);
@@ -57,7 +63,7 @@ class Resolver {
   const gpu::Context& context_;
   gpu::ShaderLibrary& shaders_;
   std::map<std::pair<ToneCurve, bool>, gpu::ScreenPass> develop_;  // without and with a glow; once they are wanted
-  gpu::ScreenPass even_, resolve_, resolve_land_;
+  gpu::ScreenPass even_, resolve_, resolve_land_, newly_seen_, newly_seen_land_;
   gpu::UniformBlock<ResolveBlock> block_;
   std::map<StreamId, Picture> pictures_;
   std::map<std::pair<int, int>, Shared> shared_;

@@ -1,7 +1,7 @@
 // targets: rgba32f r32f
 // Puts the clouds into the scene and adds the sample to the average of those before it. Target 0: radiance, 1 - transmittance of
 // the clouds. Target 1: distance of what is seen, m.
-#include "shared/frame_block.glsl"
+#include "render/clouds_before.glsl"
 #include "lib/constants.glsl"
 layout(binding = 0) uniform sampler2D scene_radiance;
 layout(binding = 1) uniform sampler2D scene_depth;
@@ -32,10 +32,8 @@ PassOutput shade(ivec2 pixel) {
     march = texture(march_radiance, uv);
     far = texelFetch(march_depth, ivec2(uv * vec2(textureSize(march_depth, 0))), 0).xy;
   }
-  vec3 lit = scene.xyz * (1.0 - scene.w * (1.0 - far.y));
-  // What the clouds' shadow takes from the air can be more than a neighbour's air has.
-  vec4 result = vec4(max(lit * march.w + march.xyz, vec3(0.0)) / frame.accumulation.z, 1.0 - march.w);
-  float seen_m = result.w >= 0.5 ? min(far.x, depth_m) : depth_m;
+  vec4 result = clouds_before(scene, march, far.y);
+  float seen_m = seen_at_m(result.w, far.x, depth_m);
   float weight = SAMPLE_WEIGHT;
   if (weight < 1.0) {
     result = mix(texelFetch(previous_radiance, pixel, 0), result, weight);

@@ -1,6 +1,7 @@
 // targets: rgba16f rg32f
 // Marches the medium along each ray (Olajos 2.4). Target 0: radiance of the cloud less what its shadow takes from the air, transmittance. Target 1: mean distance of the
 // cloud, m (no_hit_m without cloud); share of the sunlight that reaches the ground behind.
+#include "render/asked_pixels.glsl"
 #include "render/camera.glsl"
 #include "render/cloud_light.glsl"
 #include "render/shafts.glsl"
@@ -126,7 +127,7 @@ PassOutput shade(ivec2 target_pixel) {
   if (ground) visibility = ground_visibility(ray.origin + ray.direction * depth_m);
   Stretch path = medium_stretch(ray.origin, ray.direction);
   path.end = min(min(path.end, depth_m), cloud.march.y);
-  bool marched = ray.valid > 0.0 && path.end > path.begin && cloud.medium.x > 0.0;
+  bool marched = asked_for(march_pixel) && ray.valid > 0.0 && path.end > path.begin && cloud.medium.x > 0.0;
   // The sun's disc is 20,000 times brighter than a cloud: before it even thin remainders of it can be seen.
   float stop = dot(ray.direction, frame.light_direction.xyz) > 0.9995 ? 1.0e-6 : 0.003;
   vec2 jitter = vec2(step_jitter(march_pixel), light_jitter(march_pixel));

@@ -1,6 +1,7 @@
 // targets: rgba16f
 // The kept picture: the pixels that this frame marched, averaged with what the picture before has there, and the others from that
 // picture, re-projected by the distance and the motion of what is seen. Radiance; samples in the average / 64.
+// The tiles (of 8x8 pixels) of what was not seen before are marked, and nothing is in its average.
 // With OUTLINES, of land, target 1: 1 / distance of what is seen (1/km).
 #include "shared/frame_block.glsl"
 #include "shared/resolve_block.glsl"
@@ -9,7 +10,10 @@
 layout(binding = 0) uniform sampler2D marched;  // radiance, 1 / distance (1/km; of clouds, or less than 0)
 layout(binding = 1) uniform sampler2D kept_before;
 
+layout(binding = 7, r32f) writeonly uniform image2D newly_seen;  // by tiles
+
 const float most_samples = 64.0;
+const float hardly_any = 1.0 / 64.0;  // samples, where something else than this pixel was seen
 
 // Where the picture before shows what this one has at a place (0..1 each, y down), and whether it does.
 vec3 place_before(vec2 place, float closeness_per_km) {
@@ -105,7 +109,11 @@ PassOutput shade(ivec2 pixel) {
   float samples = known * min(kept.w * most_samples, mix(resolve.trust.x, resolve.trust.y, motion));
   vec3 average = mix(around.here.xyz, within(around, kept.xyz, margin), known);
   float weight = fresh ? 1.0 / (samples + 1.0) : 0.0;
-  vec4 kept_now = vec4(mix(average, around.here.xyz, weight), (samples + (fresh ? 1.0 : 0.0)) / most_samples);
+  bool unseen = seen.known == 0.0 && seen.closeness <= resolve.drift.w;
+  int newly = resolve.kept.w != 0 && unseen && !fresh ? 1 : 0;
+  for (int i = 0; i < newly; ++i) imageStore(newly_seen, pixel >> 3, vec4(1.0));
+  samples = newly == 1 ? 0.0 : max(samples + (fresh ? 1.0 : 0.0), hardly_any);
+  vec4 kept_now = vec4(mix(average, around.here.xyz, weight), samples / most_samples);
 #ifdef OUTLINES
   return PassOutput(kept_now, vec4(fresh ? abs(around.here.w) : seen.closeness));
 #else

@@ -1,6 +1,7 @@
 // targets: rgba16f r32f
 // The scene without clouds: sky, sun's disc, curved ground or terrain. Target 0: radiance, and the share of it that is direct sunlight (so
-// that cloud shadows can be taken off later). Target 1: distance along the ray, m; no_hit_m for sky.
+// that cloud shadows can be taken off later). Target 1: distance along the ray, m; no_hit_m for sky, below 0 where it was not asked for.
+#include "render/asked_pixels.glsl"
 #include "render/camera.glsl"
 #include "render/sky_above.glsl"
 #include "render/terrain.glsl"
@@ -23,6 +24,7 @@ Surface plain_surface(CameraRay ray, float distance_m) {
 
 PassOutput shade(ivec2 pixel) {
   CameraRay ray = camera_ray(vec2(pixel) + 0.5);
+  if (!asked_for(pixel)) return PassOutput(vec4(0.0), vec4(-1.0));
   if (ray.valid == 0.0) return PassOutput(vec4(0.0), vec4(0.0));
   vec2 planet = intersect_altitude(ray.origin, ray.direction, 0.0);
   float planet_m = planet.x <= planet.y && planet.y > 0.0 ? max(planet.x, 0.0) : no_hit_m;

@@ -57,6 +57,55 @@ TEST_P(BothExecutions, ShadesEachPixelOfTheRectAndNoOther) {
     }
 }
 
+TEST_P(BothExecutions, LeavesThePixelsThatAShaderLeaves) {
+  Texture number(Format::r32f, 37, 21, "number");
+  number.clear();
+  const ScreenPass pass = make(GetParam(),
+                               "#define PASS_LEAVES\n"
+                               "bool leaves(ivec2 pixel) { return pixel.x < 5; }\n"
+                               "PassOutput shade(ivec2 pixel) { return PassOutput(vec4(7.0)); }\n",
+                               {Format::r32f});
+  const std::array<const Texture*, 1> targets{&number};
+  pass.run({0, 0, 37, 21}, targets, {});
+  const auto numbers = as_numbers<float>(number.download());
+  EXPECT_EQ(std::ranges::count(numbers, 0.0f), 5 * 21);
+  EXPECT_EQ(std::ranges::count(numbers, 7.0f), 32 * 21);
+}
+
+// One pass marks tiles, the next shades them, and no others where passes are drawn.
+TEST_P(BothExecutions, ShadesTheTilesThatAreMarked) {
+  Texture first(Format::r32f, 37, 21, "first"), second(Format::r32f, 37, 21, "second");
+  second.clear();
+  const std::array<const Texture*, 1> written_first{&first}, written_second{&second};
+  const ScreenPass marking =
+      make(GetParam(),
+           "layout(binding = 7, r32f) writeonly uniform image2D marks;\n"
+           "PassOutput shade(ivec2 pixel) {\n"
+           "  if (pixel == ivec2(10, 9) || pixel == ivec2(36, 20)) imageStore(marks, pixel >> 3, vec4(1.0));\n"
+           "  return PassOutput(vec4(0.0));\n"
+           "}\n",
+           {Format::r32f});
+  folder_.write("tiles.glsl", "PassOutput shade(ivec2 pixel) { return PassOutput(vec4(3.0)); }\n");
+  const ScreenPass tiles(GetParam(), library_, "tiles.glsl", {Format::r32f}, "", Shades::rects_and_tiles);
+  TileMarks marks(37, 21);
+  for (int round = 0; round < 2; ++round) {  // marks of the round before are gone
+    marks.begin();
+    marking.run({0, 0, round == 0 ? 37 : 20, 21}, written_first, {});
+    marks.end();
+    second.clear();
+    tiles.run_tiles(marks, written_second, {});
+    const auto numbers = as_numbers<float>(second.download());
+    const bool all = GetParam() == PassExecution::compute;
+    for (int y = 0; y < 21; ++y)
+      for (int x = 0; x < 37; ++x) {
+        const bool marked = (x / 8 == 1 && y / 8 == 1) || (round == 0 && x / 8 == 4 && y / 8 == 2);
+        ASSERT_EQ(numbers[static_cast<std::size_t>(y * 37 + x)], all || marked ? 3.0f : 0.0f) << x << "," << y;
+      }
+  }
+  tiles.run({0, 0, 37, 21}, written_second, {});  // as any other pass
+  EXPECT_EQ(std::ranges::count(as_numbers<float>(second.download()), 3.0f), 37 * 21);
+}
+
 TEST_P(BothExecutions, ClipsARectThatReachesOverTheEdges) {
   const Targets targets;
   const ScreenPass pass = make(GetParam(), position_pass, {Format::rgba8, Format::r32f});
