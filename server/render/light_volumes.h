@@ -52,6 +52,7 @@ class LightVolumes {
   Clouds& clouds_of(const CloudDensities::Wanted& wanted);
   Volume& volume_of(Clouds& clouds, const CloudDensities::Wanted& wanted, const Key& key);
   void bake_slice(const CloudBlock& cloud, Clouds& clouds, Volume& volume);
+  int layers_of_slice(const vec4& light) const;
 
   Kind kind_;
   CloudDensities& densities_;

@@ -99,12 +99,12 @@ void Passes::march(const Targets& targets, const SkyTables::Set& sky, const Medi
   const int divisor = targets.march_divisor;
   const Texture* scene[] = {&targets.scene_radiance, &targets.scene_depth};
   const Texture* march[] = {&targets.march_radiance, &targets.march_depth};
+  const glm::ivec2 origin = targets.march_origin;
   const int scene_end = std::min(row_end * divisor, targets.size.height);
   scene_with(medium.scene, targets.float32)
-      .run({0, row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene,
+      .run({origin.x, origin.y + row_begin * divisor, targets.size.width, scene_end - row_begin * divisor}, scene,
            scene_textures(sky, medium, nothing_kept_));
   clock.lap("scene");
-  const glm::ivec2 origin = targets.march_origin;
   march_of(medium, targets.float32)
       .run({origin.x, origin.y + row_begin, targets.march_size.width, row_end - row_begin}, march,
            march_textures(targets, sky, medium, nothing_kept_));

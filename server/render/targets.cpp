@@ -37,8 +37,8 @@ std::unique_ptr<Targets> make_targets(ImageSize size, int divisor, bool float32,
   auto targets = std::make_unique<Targets>();
   targets->size = size, targets->march_size = march, targets->march_origin = origin;
   targets->march_divisor = divisor, targets->float32 = float32, targets->smooth = smooth;
-  targets->scene_radiance = Texture(hdr, size.width, size.height, "scene radiance");
-  targets->scene_depth = Texture(Format::r32f, size.width, size.height, "scene depth");
+  targets->scene_radiance = Texture(hdr, origin.x + size.width, origin.y + size.height, "scene radiance");
+  targets->scene_depth = Texture(Format::r32f, origin.x + size.width, origin.y + size.height, "scene depth");
   targets->march_radiance = march_target(hdr, width, height, "march radiance");
   targets->march_depth = Texture(Format::rg32f, width, height, "march depth");
   if (smooth) {

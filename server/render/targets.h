@@ -17,13 +17,14 @@ struct Accumulation {
 };
 Accumulation make_accumulation(ImageSize size);
 
-// Where the rays lie in the march's targets. llvmpipe works tile by tile, each on one core: `over_tiles` lays a small
-// picture's rays over four tiles or more, evenly. Only for pictures that are marched whole and averaged with nothing.
+// Where the rays lie in the targets of scene and march. llvmpipe works tile by tile, each on one core: `over_tiles`
+// lays a small picture's rays over four tiles or more, evenly. Only for pictures that are marched whole and averaged
+// with nothing.
 enum class RayPlaces { first, over_tiles };
 
 struct Targets {
   ImageSize size, march_size;
-  glm::ivec2 march_origin{0};  // of the first ray in the march's targets
+  glm::ivec2 march_origin{0};  // of the first ray in the targets of scene and march
   int march_divisor = 1;
   bool float32 = false;
   bool smooth = false;

@@ -20,13 +20,14 @@ layout(binding = 5) uniform sampler2D previous_depth;
 #endif
 
 PassOutput shade(ivec2 pixel) {
-  vec4 scene = texelFetch(scene_radiance, pixel, 0);
-  float depth_m = texelFetch(scene_depth, pixel, 0).x;
+  ivec2 place = pixel + frame.march_target.xy;
+  vec4 scene = texelFetch(scene_radiance, place, 0);
+  float depth_m = texelFetch(scene_depth, place, 0).x;
   vec4 march;
   vec2 far;
   if (MARCH_DIVISOR == 1) {
-    march = texelFetch(march_radiance, pixel + frame.march_target.xy, 0);
-    far = texelFetch(march_depth, pixel + frame.march_target.xy, 0).xy;
+    march = texelFetch(march_radiance, place, 0);
+    far = texelFetch(march_depth, place, 0).xy;
   } else {
     vec2 uv = (vec2(pixel) + 0.5) / (float(frame.size.w) * vec2(textureSize(march_radiance, 0)));
     march = texture(march_radiance, uv);

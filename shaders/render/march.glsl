@@ -121,7 +121,7 @@ PassOutput shade(ivec2 target_pixel) {
   int divisor = frame.size.w;
   vec2 pixel = (vec2(march_pixel) + 0.5) * float(divisor);
   CameraRay ray = camera_ray(pixel);
-  float depth_m = texelFetch(scene_depth, min(ivec2(pixel), frame.size.xy - 1), 0).x;
+  float depth_m = texelFetch(scene_depth, min(ivec2(pixel), frame.size.xy - 1) + frame.march_target.xy, 0).x;
   bool ground = depth_m < no_hit_m && depth_m > 0.0;
   float visibility = 1.0;
   if (ground) visibility = ground_visibility(ray.origin + ray.direction * depth_m);

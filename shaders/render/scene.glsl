@@ -22,7 +22,8 @@ Surface plain_surface(CameraRay ray, float distance_m) {
   return Surface(albedo / pi * light_at(0.0, mu) * max(mu, 0.0), albedo / pi * sky_irradiance());
 }
 
-PassOutput shade(ivec2 pixel) {
+PassOutput shade(ivec2 target_pixel) {
+  ivec2 pixel = target_pixel - frame.march_target.xy;
   CameraRay ray = camera_ray(vec2(pixel) + 0.5);
   if (!asked_for(pixel)) return PassOutput(vec4(0.0), vec4(-1.0));
   if (ray.valid == 0.0) return PassOutput(vec4(0.0), vec4(0.0));

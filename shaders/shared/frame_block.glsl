@@ -19,7 +19,7 @@
    water: albedo as of a diffuse surface, altitude (m; below the planet: there is none).
    display: 2^exposure, tone curve, strength and threshold (exposed luminance) of the bloom.
    accumulation: weight of the new sample, greatest radiance that the targets hold, what radiance is multiplied by in them,
-   side of what a pixel's sample stands for (pixels). march_target: column and row of the first ray in the march's targets, whether only
+   side of what a pixel's sample stands for (pixels). march_target: column and row of the first ray in the targets, whether only
    pixels that are newly seen are asked for, 0. */
 #define FRAME_FIELDS(F) \
   F(vec4, camera_right) \
