@@ -141,6 +141,11 @@ void add_flight_options(CLI::App& command, FlightPlan& plan) {
       ->capture_default_str()
       ->check(CLI::Range(-3600.0, 3600.0));
   command
+      .add_option("--sun-climb", plan.viewers.sun_climb_deg_per_s,
+                  "Degrees by which the sun rises in a second, up to 60, and sets again, down to 5")
+      ->capture_default_str()
+      ->check(CLI::Range(-3600.0, 3600.0));
+  command
       .add_option("--warm-up", plan.warm_up_s,
                   "Flight before the measurement, s; up to ten times as long until ten frames of each have arrived")
       ->capture_default_str()

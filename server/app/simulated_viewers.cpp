@@ -49,17 +49,26 @@ SimulatedViewers::~SimulatedViewers() {
   for (const auto& [stream, each] : viewers_) scheduler_.close(stream);
 }
 
+std::shared_ptr<const Cloudscape> SimulatedViewers::in_other_light(const Cloudscape& sky, double open_s) const {
+  auto other = std::make_shared<Cloudscape>(sky);
+  double& azimuth_deg = other->sun.azimuth_deg;
+  azimuth_deg = std::remainder(azimuth_deg + options_.sun_deg_per_s * open_s, 360);
+  if (options_.sun_climb_deg_per_s != 0) {
+    constexpr double lowest_deg = 5, highest_deg = 60, range_deg = highest_deg - lowest_deg;
+    const double way_deg = std::abs(other->sun.elevation_deg - lowest_deg + options_.sun_climb_deg_per_s * open_s);
+    other->sun.elevation_deg = highest_deg - std::abs(std::fmod(way_deg, 2 * range_deg) - range_deg);
+  }
+  return other;
+}
+
 stream::StreamView SimulatedViewers::view_at(Each& each, Time now) {
   const double open_s = stream::milliseconds(now - opened_) / 1000, flown_s = options_.speed * open_s;
   const auto key = settings::key_at(options_.path, place_on(options_.path, each.viewer.start_s, flown_s));
   stream::StreamView view = each.viewer.view;
   view.pose = key.pose;
   view.lens.vertical_fov_deg = key.vertical_fov_deg;
-  if (options_.sun_deg_per_s != 0) {
-    auto turned = std::make_shared<Cloudscape>(*view.cloudscape);
-    turned->sun.azimuth_deg = std::remainder(turned->sun.azimuth_deg + options_.sun_deg_per_s * open_s, 360);
-    view.cloudscape = std::move(turned);
-  }
+  if (options_.sun_deg_per_s != 0 || options_.sun_climb_deg_per_s != 0)
+    view.cloudscape = in_other_light(*view.cloudscape, open_s);
   view.pose_sequence = each.sent.size();
   each.sent.push_back(now);
   return view;

@@ -19,8 +19,9 @@ struct ViewersOptions {
   settings::CameraPath path;
   double speed = 1;  // path seconds of a second; at the path's ends they turn back
   double poses_per_s = 60;
-  double latency_ms = 0;     // from the encoder until the acknowledgement; 0: at once
-  double sun_deg_per_s = 0;  // by which somebody turns the sun about the zenith meanwhile
+  double latency_ms = 0;           // from the encoder until the acknowledgement; 0: at once
+  double sun_deg_per_s = 0;        // by which somebody turns the sun about the zenith meanwhile
+  double sun_climb_deg_per_s = 0;  // by which it rises, up to 60 degrees, and sets again, down to 5
 };
 
 class SimulatedViewers {
@@ -56,6 +57,7 @@ class SimulatedViewers {
   void acknowledge_due(Time now);
   void deliver(const stream::Work& work, const FrameTimings& timings, const EncodedFrame& image);
   stream::StreamView view_at(Each& each, Time now);
+  std::shared_ptr<const Cloudscape> in_other_light(const Cloudscape& sky, double open_s) const;
 
   stream::FrameScheduler& scheduler_;
   const ViewersOptions options_;

@@ -155,7 +155,8 @@ InScatterVolumes::Job* InScatterVolumes::job_of(const std::string& key) {
 }
 
 // nullptr: enough is being solved, or the clouds are not there yet.
-InScatterVolumes::Job* InScatterVolumes::start(const Question& question, const bake::BakedCloudscape& baked) {
+InScatterVolumes::Job* InScatterVolumes::start(const Question& question, const bake::BakedCloudscape& baked,
+                                               Beside beside) {
   stop_the_forgotten();
   Clouds& clouds = *question.clouds;
   if (!extinction_.advance(clouds.marched, baked, clouds.plan, clouds.grids) || jobs_.size() >= most_jobs)
@@ -165,12 +166,13 @@ InScatterVolumes::Job* InScatterVolumes::start(const Question& question, const b
     levels.push_back({grid, bake::scatter_moments(question.mean_cosine),
                       question.cloudscape->medium.single_scattering_albedo, question.light});
   Job& job = jobs_.emplace_back(Job{question.key, question.clouds, {}, {}, Clock::now()});
-  job.result =
-      beside_frames([levels = std::move(levels), stop = job.stop.get_token(), cache = cache_, key = question.key] {
+  job.result = beside_frames(
+      [levels = std::move(levels), stop = job.stop.get_token(), cache = cache_, key = question.key] {
         auto light = solve(levels, stop);
         if (light) cache.store(key, *light);
         return light;
-      });
+      },
+      beside);
   return &job;
 }
 
@@ -222,7 +224,7 @@ std::shared_ptr<const InScatterVolume> InScatterVolumes::find(const Wanted& want
         keep(question.key, clouds, *light);
         return clouds.newest;
       }
-      job = start(question, *wanted.baked);
+      job = start(question, *wanted.baked, may_lag ? Beside::lagging : Beside::awaited);
     }
   }
   if (job) job->asked = Clock::now();

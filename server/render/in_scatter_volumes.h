@@ -9,6 +9,7 @@
 
 #include "bake/in_scatter.h"
 #include "bake/light_cache.h"
+#include "core/beside_frames.h"
 #include "core/frame.h"
 #include "render/in_scatter_extinction.h"
 #include "render/sky_tables.h"
@@ -76,7 +77,7 @@ class InScatterVolumes {
   void take_results();
   void stop_the_forgotten();
   Job* job_of(const std::string& key);
-  Job* start(const Question& question, const bake::BakedCloudscape& baked);
+  Job* start(const Question& question, const bake::BakedCloudscape& baked, Beside beside);
 
   InScatterExtinction extinction_;
   bake::LightCache cache_;

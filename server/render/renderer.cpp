@@ -128,7 +128,7 @@ bool Renderer::find_baked(RenderJob& job) {
 bool Renderer::find_in_scatter(RenderJob& job) {
   const Cloudscape& sky = *job.request.cloudscape;
   if (job.in_scatter || sky.medium.light_model.kind != LightModelKind::in_scatter_volume) return true;
-  const SkyTables::Set tables = bind_blocks(job, job.sample);
+  const SkyTables::Set& tables = bind_blocks(job, job.sample);
   const double g = mean_cosine(sky.medium.phase, job.phase ? job.phase->mean_asymmetry_g : 0);
   job.in_scatter = in_scatter_.find({job.request, job.baked, tables.lights, g});
   if (!job.in_scatter) context_.finish();
@@ -209,7 +209,7 @@ CloudBlock Renderer::cloud_values(const RenderJob& job) const {
 }
 
 // The blocks of a sample, which others may have used in between, and the tables of its sky.
-SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
+const SkyTables::Set& Renderer::bind_blocks(RenderJob& job, int sample) {
   FrameBlock frame = frame_block(job.request, sample);
   if (job.resolved) {
     const glm::dvec2 offset = marched_offset(job.resolved->plan, job.resolved->frame, job.resolved->resting);
@@ -222,13 +222,17 @@ SkyTables::Set Renderer::bind_blocks(const RenderJob& job, int sample) {
   cloud_block_.upload(cloud);
   frame_block_.bind();
   cloud_block_.bind();
-  return sky_.get(frame, cloud, job.resolved ? AltitudeOfView::by_sixteenths : AltitudeOfView::exact);
+  const AltitudeOfView altitude = job.resolved ? AltitudeOfView::by_sixteenths : AltitudeOfView::exact;
+  // Above water there are two skies, which take turns.
+  const bool rests = job.turn == LaggingTurn::water && has_water(*job.request.cloudscape);
+  if (!job.sky) job.sky = sky_.get(frame, cloud, altitude, sky_lag(job.request, rests));
+  return *job.sky;
 }
 
 void Renderer::render_rows(RenderJob& job) {
   const auto start = Clock::now();
   job.passes.start();
-  const SkyTables::Set sky = bind_blocks(job, job.sample);
+  const SkyTables::Set& sky = bind_blocks(job, job.sample);
   job.passes.lap("sky");
   const int end = std::min(job.row + rows_of_next_slice(job), job.targets->march_size.height);
   passes_.march(*job.targets, sky, medium_and_scene_of(job), job.row, end, job.passes);

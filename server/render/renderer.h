@@ -37,6 +37,7 @@ struct RenderJob {
   std::shared_ptr<const gpu::Texture> sun_depth;      // where clouds cast shadows
   std::shared_ptr<const gpu::Texture> ambient;        // where its light model needs one
   std::optional<bake::DistancePlan> distances;        // of the distance field, where the march has one
+  std::optional<SkyTables::Set> sky;
   Land land;
   WaterView water;
   LaggingTurn turn = LaggingTurn::both;
@@ -104,7 +105,7 @@ class Renderer {
   bool advance_trace(RenderJob& job);
   void finish_trace(RenderJob& job);
   CloudBlock cloud_values(const RenderJob& job) const;
-  SkyTables::Set bind_blocks(const RenderJob& job, int sample);
+  const SkyTables::Set& bind_blocks(RenderJob& job, int sample);
   void render_rows(RenderJob& job);
   void finish_sample(RenderJob& job);
   void march_newly_seen(RenderJob& job);

@@ -12,9 +12,8 @@ void Renderer::march_newly_seen(RenderJob& job) {
   frame.accumulation.x = 1;
   frame.march_target.z = 1;
   frame_block_.upload(frame);
-  const SkyTables::Set sky = sky_.get(frame, cloud_values(job), AltitudeOfView::by_sixteenths);
   auto targets = pool_.acquire(request.size_px, request.quality);
-  passes_.march_newly(*targets, sky, medium_and_scene_of(job), resolver_.newly_seen(*job.resolved), job.passes);
+  passes_.march_newly(*targets, *job.sky, medium_and_scene_of(job), resolver_.newly_seen(*job.resolved), job.passes);
   resolver_.add_newly_seen(*job.resolved, *targets, job.passes);
   pool_.release(std::move(targets));
 }

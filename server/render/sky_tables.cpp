@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace cloudscape::render {
 namespace {
@@ -72,6 +74,12 @@ int level_below(double altitude_m) {
   return static_cast<int>(std::floor(rungs));
 }
 
+double share_of_upper(double altitude_m) {
+  const int level = level_below(altitude_m);
+  const double low_m = level_altitude_m(level), high_m = level_altitude_m(level + 1);
+  return std::clamp((altitude_m - low_m) / (high_m - low_m), 0.0, 1.0);
+}
+
 SkyTables::SkyTables(const gpu::Context& context, gpu::ShaderLibrary& shaders)
     : transmittance_(context, shaders, "render/sky_transmittance.glsl", {Format::rgba32f}),
       multiple_(context, shaders, "render/sky_multiple.glsl", {Format::rgba32f}),
@@ -84,7 +92,8 @@ SkyTables::SkyTables(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       aerial_blend_(shaders, "render/sky_aerial_blend.comp"),
       block_("sky"),
       airs_(most_airs),
-      levels_(most_levels),
+      domes_(most_levels),
+      aerials_(most_levels),
       views_(most_views),
       lights_(most_lights) {}
 
@@ -94,23 +103,62 @@ double blended_altitude_m(double altitude_m) {
   return low_m + std::round((altitude_m - low_m) / step_m) * step_m;
 }
 
-SkyTables::Set SkyTables::get(const FrameBlock& frame, const CloudBlock& cloud, AltitudeOfView altitude) {
+SkyTables::Set SkyTables::get(const FrameBlock& frame, const CloudBlock& cloud, AltitudeOfView altitude, SkyLag lag) {
   Set set;
   set.air = airs_.get(air_key(frame), [&] { return make_air(); });
   set.lights = lights_.get(lights_key(frame, cloud), [&] { return make_lights(*set.air); });
   const double camera_m = std::max(0.0, double(frame.camera_forward.w));
   const double altitude_m = altitude == AltitudeOfView::exact ? camera_m : blended_altitude_m(camera_m);
-  const std::string sky = sky_key(frame);
-  set.view = views_.get(sky + bytes_of(altitude_m), [&] {
-    const int level = level_below(altitude_m);
-    const double low_m = level_altitude_m(level), high_m = level_altitude_m(level + 1);
-    const auto at = [&](int rung) {
-      return levels_.get(sky + bytes_of(rung), [&] { return make_level(*set.air, rung); });
-    };
-    const auto lower = at(level), upper = at(level + 1);
-    return blend(*lower, *upper, std::clamp((altitude_m - low_m) / (high_m - low_m), 0.0, 1.0));
-  });
+  set.view = view_of(frame, *set.air, altitude_m, lag);
   return set;
+}
+
+std::shared_ptr<const SkyTables::Dome> SkyTables::dome_of(const std::string& sky, const Air& air, int level) {
+  return domes_.get(sky + bytes_of(level), [&] { return make_dome(air, level); });
+}
+
+std::shared_ptr<const SkyTables::Aerial> SkyTables::aerial_of(const std::string& sky, const Air& air, int level) {
+  return aerials_.get(sky + bytes_of(level), [&] { return make_aerial(air, level); });
+}
+
+std::shared_ptr<const SkyTables::View> SkyTables::view_of(const FrameBlock& frame, const Air& air, double altitude_m,
+                                                          SkyLag lag) {
+  const std::string sky = sky_key(frame), key = sky + bytes_of(altitude_m);
+  const int level = level_below(altitude_m);
+  const double share = share_of_upper(altitude_m);
+  if (lag != SkyLag::none && !views_.find(key))
+    if (const auto levels = lagging_levels(frame, air, level, lag))
+      return std::make_shared<const View>(blend(*levels, share));
+  return views_.get(key, [&] {
+    return blend({dome_of(sky, air, level), dome_of(sky, air, level + 1), aerial_of(sky, air, level),
+                  aerial_of(sky, air, level + 1)},
+                 share);
+  });
+}
+
+// The newest tables of any light, of which the oldest is renewed or none; nullopt where some are missing, or all are of
+// this light.
+std::optional<SkyTables::Levels> SkyTables::lagging_levels(const FrameBlock& frame, const Air& air, int level,
+                                                           SkyLag lag) {
+  const std::string sky = sky_key(frame), same_air = air_key(frame);
+  Levels levels;
+  std::vector<std::pair<int, std::function<void()>>> old;  // when it was made, and how it is renewed
+  bool complete = true;
+  const auto take = [&](auto& kept, auto& table, int rung, const auto& renewed) {
+    table = kept.find(sky + bytes_of(rung));
+    if (table) return;
+    table = kept.newest(same_air, bytes_of(rung));
+    if (!table) return void(complete = false);
+    old.emplace_back(table->made, [&table, rung, renewed] { table = renewed(rung); });
+  };
+  const auto new_dome = [&](int rung) { return dome_of(sky, air, rung); };
+  const auto new_aerial = [&](int rung) { return aerial_of(sky, air, rung); };
+  take(domes_, levels.lower_dome, level, new_dome), take(domes_, levels.upper_dome, level + 1, new_dome);
+  take(aerials_, levels.lower_air, level, new_aerial), take(aerials_, levels.upper_air, level + 1, new_aerial);
+  if (!complete || old.empty()) return std::nullopt;
+  if (lag == SkyLag::but_for_one)
+    std::ranges::min_element(old, {}, [](const auto& each) { return each.first; })->second();
+  return levels;
 }
 
 void SkyTables::set_block(double altitude_m, double share, bool first_order) {
@@ -133,25 +181,31 @@ SkyTables::Air SkyTables::make_air() {
   return air;
 }
 
-SkyTables::View SkyTables::make_level(const Air& air, int level) {
-  ++bakes_;
-  View view{table(view_width, view_height, "sky view"), table(view_width, view_height, "sky view of aerosol"),
-            aerial_table()};
-  const Binding tables[] = {{8, &air.transmittance}, {9, &air.multiple}};
+SkyTables::Dome SkyTables::make_dome(const Air& air, int level) {
+  Dome dome{table(view_width, view_height, "sky view"), table(view_width, view_height, "sky view of aerosol"),
+            ++bakes_};
   set_block(level_altitude_m(level), 0, false);
-  run(view_, {&view.even, &view.aerosol}, {tables[0], tables[1]});
-  aerial_.run(view.aerial, 0, 1, tables);  // one invocation writes all slices
-  return view;
+  run(view_, {&dome.even, &dome.aerosol}, {{8, &air.transmittance}, {9, &air.multiple}});
+  return dome;
 }
 
-SkyTables::View SkyTables::blend(const View& lower, const View& upper, double share) {
+SkyTables::Aerial SkyTables::make_aerial(const Air& air, int level) {
+  Aerial aerial{aerial_table(), ++bakes_};
+  const Binding tables[] = {{8, &air.transmittance}, {9, &air.multiple}};
+  set_block(level_altitude_m(level), 0, false);
+  aerial_.run(aerial.air, 0, 1, tables);  // one invocation writes all slices
+  return aerial;
+}
+
+SkyTables::View SkyTables::blend(const Levels& levels, double share) {
   View view{table(view_width, view_height, "sky view"), table(view_width, view_height, "sky view of aerosol"),
             aerial_table()};
+  const Dome &lower = *levels.lower_dome, &upper = *levels.upper_dome;
   set_block(0, share, false);
   run(view_blend_, {&view.even, &view.aerosol},
       {{0, &lower.even}, {1, &upper.even}, {2, &lower.aerosol}, {3, &upper.aerosol}});
-  const Binding levels[] = {{0, &lower.aerial}, {1, &upper.aerial}};
-  aerial_blend_.run(view.aerial, 0, aerial_depth, levels);
+  const Binding airs[] = {{0, &levels.lower_air->air}, {1, &levels.upper_air->air}};
+  aerial_blend_.run(view.aerial, 0, aerial_depth, airs);
   return view;
 }
 
@@ -170,7 +224,7 @@ void SkyTables::reload(gpu::ShaderLibrary& shaders) {
     pass->reload(shaders);
   aerial_ = gpu::VolumePass(shaders, "render/sky_aerial.comp");
   aerial_blend_ = gpu::VolumePass(shaders, "render/sky_aerial_blend.comp");
-  airs_.clear(), levels_.clear(), views_.clear(), lights_.clear();
+  airs_.clear(), domes_.clear(), aerials_.clear(), views_.clear(), lights_.clear();
 }
 
 }  // namespace cloudscape::render

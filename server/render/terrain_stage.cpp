@@ -51,11 +51,13 @@ TerrainStage::Shadows TerrainStage::begin_shadows(const FrameRequest& request, c
   const double azimuth_deg = light_azimuth_deg(*request.cloudscape);
   const TerrainBlock block = terrain_block(request, *land.terrain);
   Shadows shadows{std::move(terrain), azimuth_deg, {}, {}, nullptr};
-  shadows.tangents = beside_frames([baked = land.terrain, block, stop = shadows.stop.get_token()] {
-    return bake::horizon_tangents({baked->points_m(), block.size.x, block.lattice.y, block.size.z != 0, block.rock.w,
-                                   glm::dvec2(block.sun.x, block.sun.y)},
-                                  stop);
-  });
+  shadows.tangents = beside_frames(
+      [baked = land.terrain, block, stop = shadows.stop.get_token()] {
+        return bake::horizon_tangents({baked->points_m(), block.size.x, block.lattice.y, block.size.z != 0,
+                                       block.rock.w, glm::dvec2(block.sun.x, block.sun.y)},
+                                      stop);
+      },
+      request.light_may_lag ? Beside::lagging : Beside::awaited);
   return shadows;
 }
 

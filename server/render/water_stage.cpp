@@ -101,17 +101,15 @@ void WaterStage::drop_oldest() {
   entries_.erase(done == entries_.rend() ? std::prev(entries_.end()) : std::prev(done.base()));
 }
 
-void WaterStage::render_slice(const Scene& scene, Entry& entry) {
+void WaterStage::render_slice(const Scene& scene, const SkyTables::Set& sky, Entry& entry) {
   const FrameRequest seen = seen_from_water(scene.request, entry.panorama->eye_m);
   FrameBlock frame = frame_block(seen, 0);
   CloudBlock cloud = cloud_block(seen, scene.medium.baked);
   cloud.phase.x = scene.cloud.phase.x;
   cloud.in_scatter_offset.w = scene.cloud.in_scatter_offset.w;
+  frame.ground.x = static_cast<float>(GroundKind::none);  // land stands in no cloud's way
   frame_block_.upload(frame), frame_block_.bind();
   cloud_block_.upload(cloud), cloud_block_.bind();
-  const SkyTables::Set sky = scene.sky.get(frame, cloud);
-  frame.ground.x = static_cast<float>(GroundKind::none);  // land stands in no cloud's way
-  frame_block_.upload(frame);
   const int end = std::min(entry.next_row + rows_per_slice, rows);
   PassClock untimed;
   scene.passes.march(*entry.targets, sky, scene.medium, entry.next_row, end, untimed);
@@ -144,12 +142,12 @@ bool WaterStage::prepare(const Scene& scene, WaterView& view) {
     const FrameBlock frame = frame_block(above, 0);
     frame_block_.upload(frame), frame_block_.bind();
     cloud_block_.upload(scene.cloud), cloud_block_.bind();
-    view.sky = scene.sky.get(frame, scene.cloud).view;
+    view.sky = scene.sky.get(frame, scene.cloud, AltitudeOfView::exact, sky_lag(scene.request, scene.rests));
   }
   if (!has_clouds(scene.cloud)) return true;
   Entry& entry = entry_of(scene);
   const bool rests = scene.rests && newest_like(entry);
-  if (entry.targets && !rests) render_slice(scene, entry);
+  if (entry.targets && !rests) render_slice(scene, *view.sky, entry);
   if (!entry.targets)
     view.panorama = entry.panorama;
   else if (scene.request.light_may_lag)
@@ -160,7 +158,7 @@ bool WaterStage::prepare(const Scene& scene, WaterView& view) {
 std::vector<Binding> WaterStage::bind(const FrameRequest& request, const WaterView& view) {
   if (!view.sky) return {};
   WaterBlock block = water_block(request);
-  std::vector<Binding> textures{{0, &view.sky->even}, {1, &view.sky->aerosol}};
+  std::vector<Binding> textures{{0, &view.sky->view->even}, {1, &view.sky->view->aerosol}};
   if (view.panorama) {
     const glm::dvec2 at_m = view.panorama->eye_m + drift_of_clouds(request) - glm::dvec2(request.pose.position_m);
     block.clouds = {at_m.x, at_m.y, view.panorama->altitude_m, levels - 1};

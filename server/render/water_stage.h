@@ -26,7 +26,7 @@ struct CloudPanorama {
 
 // What a frame holds on to while it is rendered; empty without water.
 struct WaterView {
-  std::shared_ptr<const SkyTables::View> sky;
+  std::optional<SkyTables::Set> sky;  // above the water
   std::shared_ptr<const CloudPanorama> panorama;
 };
 
@@ -64,7 +64,7 @@ class WaterStage {
   };
   Entry& entry_of(const Scene& scene);
   void drop_oldest();
-  void render_slice(const Scene& scene, Entry& entry);
+  void render_slice(const Scene& scene, const SkyTables::Set& sky, Entry& entry);
   static bool is_of_clouds(const Entry& entry, const Cloudscape& sky);
   std::shared_ptr<const CloudPanorama> newest_like(const Entry& entry) const;
 

@@ -160,7 +160,31 @@ TEST_F(ClearSky, IsNotComputedAnewWhereOnlyTheCameraMoves) {
   EXPECT_EQ(bakes_of({{0, 0, 800}, 0, 10, 0}, turned), 0);  // tables turn with the sun
   Cloudscape lower = sky;
   lower.sun.elevation_deg = 19;
-  EXPECT_EQ(bakes_of({{0, 0, 800}, 0, 10, 0}, lower), 3);  // two levels, and what lights the clouds; not the air
+  // Domes and aerial perspectives of two levels, and what lights the clouds; not the air.
+  EXPECT_EQ(bakes_of({{0, 0, 800}, 0, 10, 0}, lower), 5);
+}
+
+// A sun that climbs is followed table by table, and shown as it is some frames after it stands.
+TEST_F(ClearSky, MayLagBehindItsSunByAFewFrames) {
+  FrameRequest request = picture(clear_world(20), {{0, 0, 800}, 0, 10, 0}, {8, 8});
+  request.stream = next_stream();
+  renderer().render(request);
+  request.light_may_lag = true;
+  const auto render_at = [&](double sun_deg) {
+    request.cloudscape = std::make_shared<const Cloudscape>(clear_world(sun_deg));
+    const int before = renderer().sky_bakes();
+    const Frame frame = renderer().render(request);
+    EXPECT_LE(renderer().sky_bakes() - before, 2) << "what lights the clouds, and one table";
+    return luminance(color(frame, 3));
+  };
+  const double first = render_at(20.0);
+  for (int frame = 1; frame <= 20; ++frame) render_at(20.0 - frame);
+  const double lagging = render_at(0.0);
+  for (int frame = 0; frame < 4; ++frame) render_at(0.0);
+  const double settled = render_at(0.0);
+  request.light_may_lag = false;
+  EXPECT_EQ(settled, render_at(0.0));
+  EXPECT_LT(lagging, 0.5 * (first + settled)) << "it follows";
 }
 
 // Half a degree of sky about the horizon: no stripe brighter or darker than what lies about it.
