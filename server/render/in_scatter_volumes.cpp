@@ -89,15 +89,12 @@ std::size_t count_of(const InScatterPlan& plan) {
          static_cast<std::size_t>(plan.size.z) * plan.thresholds.size();
 }
 
-// On a thread of its own.
-std::optional<bake::LightTexels> solve(const std::vector<bake::InScatterProblem>& levels, const std::stop_token& stop) {
-  std::vector<bake::InScatterSolution> solutions;
-  for (const bake::InScatterProblem& level : levels) {
-    auto solution = bake::solve_in_scatter(level, {}, stop);
-    if (!solution) return std::nullopt;
-    solutions.push_back(std::move(*solution));
-  }
-  return bake::light_texels(solutions);
+std::shared_ptr<const InScatterVolume> volume_of(const InScatterPlan& plan, const bake::LightTexels& light) {
+  const glm::ivec3 size(plan.size.x, plan.size.y, plan.size.z * static_cast<int>(plan.thresholds.size()));
+  auto volume = std::make_shared<InScatterVolume>();
+  volume->mean = volume_texture(size, plan.periodic, light.mean, "in-scatter volume");
+  volume->directed = volume_texture(size, plan.periodic, light.directed, "in-scatter volume's directions");
+  return volume;
 }
 
 template <class List>
@@ -106,6 +103,26 @@ void keep_first(List& list, std::size_t most) {
 }
 
 }  // namespace
+
+// On a thread of its own. The level in the middle comes first, and is a draft of all of them.
+std::optional<bake::LightTexels> InScatterVolumes::solve(const std::vector<bake::InScatterProblem>& levels,
+                                                         const std::stop_token& stop, Draft& draft) {
+  const std::size_t middle = levels.size() / 2;
+  auto first = bake::solve_in_scatter(levels[middle], {}, stop);
+  if (!first) return std::nullopt;
+  std::vector<bake::InScatterSolution> solutions(levels.size(), *first);
+  if (levels.size() > 1) {
+    draft.light = bake::light_texels(solutions);
+    draft.ready = true;
+  }
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    if (level == middle) continue;
+    auto solution = bake::solve_in_scatter(levels[level], {}, stop);
+    if (!solution) return std::nullopt;
+    solutions[level] = std::move(*solution);
+  }
+  return bake::light_texels(solutions);
+}
 
 InScatterVolumes::InScatterVolumes(gpu::ShaderLibrary& shaders, bake::LightCache cache)
     : extinction_(shaders), cache_(std::move(cache)) {}
@@ -165,10 +182,10 @@ InScatterVolumes::Job* InScatterVolumes::start(const Question& question, const b
   for (const bake::InScatterGrid& grid : clouds.grids.done)
     levels.push_back({grid, bake::scatter_moments(question.mean_cosine),
                       question.cloudscape->medium.single_scattering_albedo, question.light});
-  Job& job = jobs_.emplace_back(Job{question.key, question.clouds, {}, {}, Clock::now()});
+  Job& job = jobs_.emplace_back(Job{question.key, question.clouds, {}, {}, Clock::now(), std::make_shared<Draft>()});
   job.result = beside_frames(
-      [levels = std::move(levels), stop = job.stop.get_token(), cache = cache_, key = question.key] {
-        auto light = solve(levels, stop);
+      [levels = std::move(levels), stop = job.stop.get_token(), cache = cache_, key = question.key, draft = job.draft] {
+        auto light = solve(levels, stop, *draft);
         if (light) cache.store(key, *light);
         return light;
       },
@@ -184,11 +201,7 @@ std::shared_ptr<const InScatterVolume> InScatterVolumes::kept(const std::string&
 }
 
 void InScatterVolumes::keep(const std::string& key, Clouds& clouds, const bake::LightTexels& light) {
-  const InScatterPlan& plan = clouds.plan;
-  const glm::ivec3 size(plan.size.x, plan.size.y, plan.size.z * static_cast<int>(plan.thresholds.size()));
-  auto volume = std::make_shared<InScatterVolume>();
-  volume->mean = volume_texture(size, plan.periodic, light.mean, "in-scatter volume");
-  volume->directed = volume_texture(size, plan.periodic, light.directed, "in-scatter volume's directions");
+  const auto volume = volume_of(clouds.plan, light);
   volumes_.push_front({key, volume});
   keep_first(volumes_, std::max(std::size_t{1}, most_volume_bytes / volume->bytes()));
   clouds.newest = volume;
@@ -229,6 +242,8 @@ std::shared_ptr<const InScatterVolume> InScatterVolumes::find(const Wanted& want
   }
   if (job) job->asked = Clock::now();
   if (may_lag) return clouds.newest;
+  if (wanted.request.light_may_lag && job && job->draft->ready)
+    return clouds.newest = volume_of(clouds.plan, job->draft->light);
   const bool busy = clouds.grids.done.size() < clouds.plan.thresholds.size();
   if (!job && !busy)
     std::this_thread::sleep_for(longest_wait);

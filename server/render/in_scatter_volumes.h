@@ -1,5 +1,6 @@
 // In-scatter volumes at hand: as textures, or being solved beside the frames.
 #pragma once
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <list>
@@ -36,8 +37,8 @@ class InScatterVolumes {
     double mean_cosine = 0;
   };
   // The light of this sky in these clouds; of a request whose light may lag the newest there is, while this is being
-  // solved. nullptr: it is being solved; ask again. Waits some milliseconds at most. Asking again for the same objects
-  // costs nothing. Binds other blocks.
+  // solved, or else a first draft of it. nullptr: it is being solved; ask again. Waits some milliseconds at most.
+  // Asking again for the same objects costs nothing. Binds other blocks.
   std::shared_ptr<const InScatterVolume> find(const Wanted& wanted);
   void reload(gpu::ShaderLibrary& shaders);
 
@@ -59,12 +60,17 @@ class InScatterVolumes {
     bake::InScatterLight light;
     std::string key;
   };
+  struct Draft {  // the light of one level, for all
+    std::atomic<bool> ready = false;
+    bake::LightTexels light;  // once it is
+  };
   struct Job {
     std::string key;
     std::shared_ptr<Clouds> clouds;
     std::stop_source stop;
     std::future<std::optional<bake::LightTexels>> result;
     Clock::time_point asked;  // when somebody last wanted it
+    std::shared_ptr<Draft> draft;
   };
   struct Kept {
     std::string key;
@@ -75,6 +81,8 @@ class InScatterVolumes {
   std::shared_ptr<const InScatterVolume> kept(const std::string& key);
   void keep(const std::string& key, Clouds& clouds, const bake::LightTexels& light);
   void take_results();
+  static std::optional<bake::LightTexels> solve(const std::vector<bake::InScatterProblem>& levels,
+                                                const std::stop_token& stop, Draft& draft);
   void stop_the_forgotten();
   Job* job_of(const std::string& key);
   Job* start(const Question& question, const bake::BakedCloudscape& baked, Beside beside);
