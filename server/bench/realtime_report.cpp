@@ -34,7 +34,8 @@ double total_of(const std::vector<PassTime>& passes) {
 
 std::string words_of(int detail) {
   const stream::MovingDetail& level = stream::moving_details.at(static_cast<std::size_t>(detail));
-  return formatted("1 in %d pixels marched, of a picture kept at 1/%d", level.reuse, level.resolution_divisor);
+  return formatted("1 in %d pixels marched, of a picture kept at 1/%d", level.reuse, level.resolution_divisor) +
+         (level.step_factor > 1 ? formatted(", in steps %d times as long", level.step_factor) : "");
 }
 
 std::string flight_table(const RealtimeResults& results) {

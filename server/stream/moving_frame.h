@@ -23,10 +23,7 @@ inline FrameRequest request_of(const StreamView& view, StreamId stream, std::uin
 inline FrameRequest moving_request(const StreamView& view, StreamId stream, std::uint64_t sequence,
                                    const MovingDetail& detail) {
   FrameRequest request = request_of(view, stream, sequence);
-  request.quality = render_quality(Quality::interactive);
-  request.quality.reuse = detail.reuse;
-  request.quality.resolution_divisor = detail.resolution_divisor;
-  request.quality.samples = 1;
+  request.quality = moving_quality(detail);
   request.light_may_lag = true;
   return request;
 }

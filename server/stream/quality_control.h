@@ -8,18 +8,31 @@
 
 namespace cloudscape::stream {
 
-// How much of a moving picture is marched anew in each frame, and at which resolution it is kept (core/quality.h).
+// How much of a moving picture is marched anew in each frame, at which resolution it is kept (core/quality.h), and in
+// steps how many times as long.
 struct MovingDetail {
-  int reuse = 1, resolution_divisor = 1;
+  int reuse = 1, resolution_divisor = 1, step_factor = 1;
   bool operator==(const MovingDetail&) const = default;
 };
-// Finest first; each costs less than the one before.
-constexpr std::array<MovingDetail, 7> moving_details{{{1, 1}, {4, 1}, {16, 1}, {4, 2}, {16, 2}, {16, 3}, {16, 4}}};
+// Finest first; each costs less than the one before. Longer steps come last: they miss wisps, and change how bright
+// clouds are.
+constexpr std::array<MovingDetail, 8> moving_details{
+    {{1, 1}, {4, 1}, {16, 1}, {4, 2}, {16, 2}, {16, 3}, {16, 4}, {16, 4, 2}}};
+
+constexpr RenderQuality moving_quality(const MovingDetail& detail) {
+  RenderQuality quality = render_quality(Quality::interactive);
+  quality.reuse = detail.reuse;
+  quality.resolution_divisor = detail.resolution_divisor;
+  quality.step_m *= detail.step_factor;
+  quality.step_growth *= detail.step_factor;
+  quality.samples = 1;
+  return quality;
+}
 
 // Which of them a frame was rendered at; the finest where at none.
 constexpr int moving_detail_of(const RenderQuality& quality) {
   for (std::size_t i = 0; i < moving_details.size(); ++i)
-    if (moving_details[i] == MovingDetail{quality.reuse, quality.resolution_divisor}) return static_cast<int>(i);
+    if (moving_quality(moving_details[i]) == quality) return static_cast<int>(i);
   return 0;
 }
 

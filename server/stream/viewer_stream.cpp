@@ -185,7 +185,7 @@ bool ViewerStream::rendered(const Work& work, double render_ms, double turn_ms, 
   if (!in_render(work)) return false;
   const RenderQuality& quality = work.request.quality;
   if (work.quality_stage == moving_stage)
-    detail_.rendered({quality.reuse, quality.resolution_divisor}, turn_ms);
+    detail_.rendered(moving_details.at(static_cast<std::size_t>(moving_detail_of(quality))), turn_ms);
   else
     accumulated_ = work.request.first_sample + quality.samples;
   flights_.rendered(work.frame_id, work.quality_stage == moving_stage, render_ms);

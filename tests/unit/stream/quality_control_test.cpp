@@ -15,7 +15,7 @@ struct Cost {
   double fixed_ms, marched_ms;
   double of(const MovingDetail& detail) const {
     const double kept = 1.0 / (detail.resolution_divisor * detail.resolution_divisor);
-    return fixed_ms + marched_ms * (kept / detail.reuse + 0.05 * kept);
+    return fixed_ms + marched_ms * (kept / detail.reuse * (0.5 + 0.5 / detail.step_factor) + 0.05 * kept);
   }
 };
 
@@ -38,6 +38,12 @@ TEST(DetailControlTest, every_level_costs_less_than_the_one_before) {
   const Cost cost{0, 1000};
   for (std::size_t i = 1; i < moving_details.size(); ++i)
     EXPECT_LT(cost.of(moving_details[i]), cost.of(moving_details[i - 1])) << i;
+}
+
+TEST(DetailControlTest, a_rendered_frame_tells_its_level) {
+  for (std::size_t i = 0; i < moving_details.size(); ++i)
+    EXPECT_EQ(moving_detail_of(moving_quality(moving_details[i])), static_cast<int>(i));
+  EXPECT_GT(moving_quality(moving_details.back()).step_m, render_quality(Quality::interactive).step_m);
 }
 
 TEST(DetailControlTest, gives_way_within_some_frames_and_returns_within_twenty) {
