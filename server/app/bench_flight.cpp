@@ -33,8 +33,10 @@ void draw_first(GpuStack& stack, const settings::CameraPath& path, const Simulat
   stream::StreamView view = viewer.view;
   view.pose = settings::at(path, viewer.start_s);
   std::uint64_t sequence = 0;
-  for (const stream::MovingDetail& detail : stream::moving_details)
+  for (const stream::MovingDetail& detail : stream::moving_details) {
     stack.renderer.render(stream::moving_request(view, before_all, sequence++, detail));
+    view.pose.azimuth_deg += 0.3;  // what is newly seen is marched by passes of its own
+  }
   stack.renderer.forget(before_all);
 }
 
