@@ -7,7 +7,7 @@ namespace {
 
 // tuned: rays for what is newly seen, in those that the frame marches anyway. More, where one turns so quickly that
 // nobody sees how sharp it is, would make the frame late.
-constexpr double most_rays = 0.5;
+constexpr double most_rays = 0.3;
 // tuned: of its distance, by how much it moves at most. Within a cloud all is new in each frame, and too near to be
 // seen sharply.
 constexpr double most_motion_share = 0.1;

@@ -13,6 +13,7 @@ void Renderer::march_newly_seen(RenderJob& job) {
   frame.march_target.z = 1;
   frame_block_.upload(frame);
   auto targets = pool_.acquire(request.size_px, request.quality);
+  targets->scene_depth.clear();
   passes_.march_newly(*targets, *job.sky, medium_and_scene_of(job), resolver_.newly_seen(*job.resolved), job.passes);
   resolver_.add_newly_seen(*job.resolved, *targets, job.passes);
   pool_.release(std::move(targets));

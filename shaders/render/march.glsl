@@ -118,6 +118,7 @@ float ground_visibility(vec3 p) {
 
 PassOutput shade(ivec2 target_pixel) {
   ivec2 march_pixel = target_pixel - frame.march_target.xy;
+  if (!asked_for(march_pixel)) return PassOutput(vec4(0.0), vec4(0.0));
   int divisor = frame.size.w;
   vec2 pixel = (vec2(march_pixel) + 0.5) * float(divisor);
   CameraRay ray = camera_ray(pixel);
@@ -127,7 +128,7 @@ PassOutput shade(ivec2 target_pixel) {
   if (ground) visibility = ground_visibility(ray.origin + ray.direction * depth_m);
   Stretch path = medium_stretch(ray.origin, ray.direction);
   path.end = min(min(path.end, depth_m), cloud.march.y);
-  bool marched = asked_for(march_pixel) && ray.valid > 0.0 && path.end > path.begin && cloud.medium.x > 0.0;
+  bool marched = ray.valid > 0.0 && path.end > path.begin && cloud.medium.x > 0.0;
   // The sun's disc is 20,000 times brighter than a cloud: before it even thin remainders of it can be seen.
   float stop = dot(ray.direction, frame.light_direction.xyz) > 0.9995 ? 1.0e-6 : 0.003;
   vec2 jitter = vec2(step_jitter(march_pixel), light_jitter(march_pixel));

@@ -3,19 +3,38 @@
 // With OUTLINES, of land, target 1: 1 / distance of what is seen (1/km).
 #include "render/clouds_before.glsl"
 layout(binding = 0) uniform sampler2D scene_radiance;
-layout(binding = 1) uniform sampler2D scene_depth;  // below 0: was not asked for
+layout(binding = 1) uniform sampler2D scene_depth;  // m; below 0: was not asked for, 0: in a tile that is not marked
 layout(binding = 2) uniform sampler2D march_radiance;
 layout(binding = 3) uniform sampler2D march_depth;
 
 #define PASS_LEAVES
 bool leaves(ivec2 pixel) { return texelFetch(scene_depth, pixel, 0).x < 0.0; }
 
+vec3 radiance_at(ivec2 pixel) {
+  float sunlit = texelFetch(march_depth, pixel, 0).y;
+  return clouds_before(texelFetch(scene_radiance, pixel, 0), texelFetch(march_radiance, pixel, 0), sunlit).xyz;
+}
+
+// The mean over what is newly seen about a pixel, but for land before or behind: neighbours differ by where their steps begin, and all
+// nine together have every beginning once (lib/hash.glsl).
+vec3 mean_radiance(ivec2 pixel) {
+  ivec2 last = textureSize(scene_depth, 0) - 1;
+  float own_m = texelFetch(scene_depth, pixel, 0).x;
+  vec4 sum = vec4(1.0e-3 * radiance_at(pixel), 1.0e-3);
+  for (int i = 0; i < 9; ++i) {
+    ivec2 at = clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
+    float behind_m = texelFetch(scene_depth, at, 0).x;
+    bool same = behind_m > 0.0 && max(behind_m, own_m) <= 1.5 * min(behind_m, own_m);
+    if (same) sum += vec4(radiance_at(at), 1.0);
+  }
+  return sum.xyz / sum.w;
+}
+
 PassOutput shade(ivec2 pixel) {
-  vec2 far = texelFetch(march_depth, pixel, 0).xy;
-  vec4 seen = clouds_before(texelFetch(scene_radiance, pixel, 0), texelFetch(march_radiance, pixel, 0), far.y);
-  vec4 kept = vec4(seen.xyz, 1.0 / 64.0);
+  vec4 kept = vec4(mean_radiance(pixel), 1.0 / 64.0);
 #ifdef OUTLINES
-  float distance_m = seen_at_m(seen.w, far.x, texelFetch(scene_depth, pixel, 0).x);
+  float opacity = 1.0 - texelFetch(march_radiance, pixel, 0).w;
+  float distance_m = seen_at_m(opacity, texelFetch(march_depth, pixel, 0).x, texelFetch(scene_depth, pixel, 0).x);
   return PassOutput(kept, vec4(1000.0 / max(distance_m, 0.1)));
 #else
   return PassOutput(kept);

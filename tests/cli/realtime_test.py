@@ -54,7 +54,7 @@ class Realtime(Cli):
         self.assertNotIn("FLIP", result.stdout)
 
     def test_measures_so_many_streams(self):
-        result = self.bench("streams", "--size", "64x36", "--streams", "3", "--seconds", "0.5", "-o", "streams.json")
+        result = self.bench("streams", "--size", "64x36", "--streams", "3", "--seconds", "1.5", "-o", "streams.json")
         self.assert_done(result)
         self.assertRegex(result.stdout, r"30 frames a second: (not )?held\n60 frames a second: (not )?held")
         (measured,) = json.loads((self.folder / "streams.json").read_text())["measured"]

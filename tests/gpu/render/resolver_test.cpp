@@ -164,8 +164,8 @@ TEST_F(Resolver, edge_that_is_newly_seen_is_sharp) {
     const Frame turned = last_of(moving(16, divisor, next_stream()), 12, turn_deg);
     return difference(turned, render(whole(there, 32)), turned.request.size_px.width - 3);
   };
-  EXPECT_LT(error_of_edge(1), 8.5);   // 10.5 if it begins as what lies between the rays of the frame, 6.8 here
-  EXPECT_LT(error_of_edge(2), 12.5);  // 17.0, and 9.6
+  EXPECT_LT(error_of_edge(1), 8.0);   // 10.5 if it begins as what lies between the rays of the frame, 5.2 here
+  EXPECT_LT(error_of_edge(2), 12.5);  // 17.0, and 10.2
 }
 
 TEST_F(Resolver, climbing_picture_keeps_its_clouds_in_place) {
