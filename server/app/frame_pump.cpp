@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/ms_since.h"
 #include "encode/encode.h"
 
 namespace cloudscape::app {
@@ -49,8 +50,7 @@ FramePump::Active& FramePump::active_of(const stream::Work& work) {
   if (active.job && active.work.request.sequence == work.request.sequence && active.work.frame_id == work.frame_id)
     return active;
   if (active.job) renderer_.abandon(std::move(active.job));
-  active = {work, renderer_.begin(work.request),
-            std::chrono::duration<double, std::milli>(Clock::now() - work.queued).count()};
+  active = {work, renderer_.begin(work.request), ms_since(work.queued)};
   return active;
 }
 

@@ -1,9 +1,11 @@
 #include "core/beside_frames.h"
 
 #include <sched.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace cloudscape {
@@ -27,11 +29,13 @@ constexpr std::uint64_t turn_ns = 100'000;
 
 }  // namespace
 
-// Linux has both by thread.
+// Linux has both by thread. A program that was started with less keeps that; a container may forbid the one call.
 void yield_to_frames(Beside beside) {
-  const std::int32_t nice = beside == Beside::awaited ? nice_if_awaited : nice_if_lagging;
+  const auto thread = static_cast<id_t>(gettid());
+  const std::int32_t wanted = beside == Beside::awaited ? nice_if_awaited : nice_if_lagging;
+  const std::int32_t nice = std::max(wanted, getpriority(PRIO_PROCESS, thread));
   const SchedulingAttributes attributes{sizeof attributes, SCHED_OTHER, 0, nice, 0, turn_ns, 0, 0};
-  syscall(SYS_sched_setattr, 0, &attributes, 0);
+  if (syscall(SYS_sched_setattr, 0, &attributes, 0) != 0) setpriority(PRIO_PROCESS, thread, nice);
 }
 
 }  // namespace cloudscape

@@ -14,7 +14,8 @@ AmbientVisibilities::AmbientVisibilities(gpu::ShaderLibrary& shaders, CloudDensi
                 .label = "visibility of the surroundings",
                 .across = across,
                 .layers = layers,
-                .layers_per_slice = layers_per_slice}) {}
+                .layers_per_slice = layers_per_slice,
+                .layers_per_low_slice = layers_per_slice}) {}
 
 bool AmbientVisibilities::prepare(const CloudDensities::Wanted& wanted,
                                   std::shared_ptr<const gpu::Texture>& visibility) {

@@ -45,11 +45,9 @@ LightVolumes::Volume& LightVolumes::volume_of(Clouds& clouds, const CloudDensiti
   return volumes.front();
 }
 
-// The way to a low light leads through three times as many cells: half a slice then takes as long as a whole one else.
 int LightVolumes::layers_of_slice(const vec4& light) const {
   constexpr float low = 0.35F;  // tuned: sine of 20 degrees
-  const bool is_low = light != vec4(0) && light.z < low;
-  return is_low ? kind_.layers_per_slice / 2 : kind_.layers_per_slice;
+  return light.z < low ? kind_.layers_per_low_slice : kind_.layers_per_slice;
 }
 
 void LightVolumes::bake_slice(const CloudBlock& cloud, Clouds& clouds, Volume& volume) {

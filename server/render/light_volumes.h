@@ -20,8 +20,8 @@ class LightVolumes {
     std::string shader;
     gpu::Format format;
     const char* label;
-    int across, layers;  // points of a level
-    int layers_per_slice;
+    int across, layers;                          // points of a level
+    int layers_per_slice, layers_per_low_slice;  // low: of a light whose way through the clouds is long
   };
   // The densities must outlive it.
   LightVolumes(gpu::ShaderLibrary& shaders, CloudDensities& densities, Kind kind);

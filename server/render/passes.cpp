@@ -38,7 +38,7 @@ std::vector<Binding> scene_textures(const SkyTables::Set& sky, const Passes::Med
 
 // Of the format of kept pictures, and no power of two in size: else llvmpipe compiles programs anew for those.
 Texture nothing(const gpu::Context& context) {
-  Texture texture(context.device().software ? Format::rgba32f : Format::rgba16f, 3, 3, "nothing kept");
+  Texture texture(kept_format(context), 3, 3, "nothing kept");
   texture.clear();
   texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);
   return texture;

@@ -8,12 +8,6 @@ using gpu::Binding, gpu::Format, gpu::ScreenPass, gpu::Texture;
 
 namespace {
 
-// llvmpipe cuts what 16 bits do not hold off instead of rounding it, so that a picture which is continued for long goes
-// dark; and 32 cost it nothing.
-Format kept_format(const gpu::Context& context) {
-  return context.device().software ? Format::rgba32f : Format::rgba16f;
-}
-
 Texture picture_texture(Format format, ImageSize size, const char* label) {
   Texture texture(format, size.width, size.height, label);
   texture.sample_with(gpu::Filter::linear, gpu::Wrap::clamp);

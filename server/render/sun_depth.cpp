@@ -11,7 +11,8 @@ SunDepths::SunDepths(gpu::ShaderLibrary& shaders, CloudDensities& densities)
                 .label = "depth towards the light",
                 .across = CloudDensities::across,
                 .layers = CloudDensities::layers,
-                .layers_per_slice = CloudDensities::layers_per_slice}) {}
+                .layers_per_slice = CloudDensities::layers_per_slice,
+                .layers_per_low_slice = CloudDensities::layers_per_slice / 2}) {}
 
 bool SunDepths::prepare(const CloudDensities::Wanted& wanted, std::shared_ptr<const gpu::Texture>& depth) {
   const vec4 light(direction_of_light(*wanted.request.cloudscape), 0);

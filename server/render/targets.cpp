@@ -7,7 +7,9 @@ namespace {
 
 using gpu::Format, gpu::Texture;
 
-constexpr std::size_t most_free = 4;  // tuned: sizes that alternate without being made anew each time
+// tuned: sizes that alternate without being made anew each time; a moving picture has two, for its rays and for what it
+// newly sees.
+constexpr std::size_t most_free = 8;
 
 int divided(int length, int divisor) { return (length + divisor - 1) / divisor; }
 
@@ -52,6 +54,10 @@ std::unique_ptr<Targets> make_targets(ImageSize size, int divisor, bool float32,
 }
 
 }  // namespace
+
+gpu::Format kept_format(const gpu::Context& context) {
+  return context.device().software ? Format::rgba32f : Format::rgba16f;
+}
 
 Accumulation make_accumulation(ImageSize size) {
   return {Texture(Format::rgba32f, size.width, size.height, "accumulated radiance"),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/frame.h"
+#include "gpu/context.h"
 #include "gpu/texture.h"
 #include "render/bloom_chain.h"
 
@@ -35,6 +36,10 @@ struct Targets {
   const gpu::Texture& clouds() const { return smooth ? smooth_radiance : march_radiance; }
   const gpu::Texture& clouds_depth() const { return smooth ? smooth_depth : march_depth; }
 };
+
+// Of moving pictures that are continued. llvmpipe cuts what 16 bits do not hold off instead of rounding it, so that
+// such a picture goes dark; and 32 cost it nothing.
+gpu::Format kept_format(const gpu::Context& context);
 
 // Gives `targets` the chain that the request's glow needs, or none.
 void prepare_bloom(Targets& targets, const FrameRequest& request);

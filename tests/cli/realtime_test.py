@@ -48,6 +48,10 @@ class Realtime(Cli):
             judged.append((quality["compared"], quality["flicker"]))
         self.assertEqual(judged[0], judged[1])
 
+    def test_moves_the_sun(self):
+        self.assert_done(self.bench("realtime", "--size", "64x36", "--seconds", "0.5", "--legs", "0", "--flicker-frames", "0",
+                                    "--sun-speed", "40", "--sun-climb", "-40"))
+
     def test_judges_nothing_where_nothing_is_asked_for(self):
         result = self.bench("realtime", "--size", "64x36", "--seconds", "0.3", "--legs", "0", "--flicker-frames", "0")
         self.assert_done(result)

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "gpu/render/fixture.h"
+#include "render/newly_seen.h"
 #include "render/resolve_plan.h"
 
 namespace cloudscape::render {
@@ -109,6 +110,31 @@ TEST(ResolvePlanTest, whole_blocks_hold_the_picture_in_their_middle) {
   const KeptView view = kept_view(request, plan);
   const double half = std::tan(radians(view.vertical_fov_deg) / 2);
   EXPECT_NEAR(half / plan.kept.height, 2 * std::tan(radians(request.lens.vertical_fov_deg) / 2) / 715, 1e-12);
+}
+
+// What is newly seen gets rays of its own where it is there, and not more than a frame has time for.
+TEST(NewlySeenTest, is_marched_at_the_edges_of_a_turn_that_is_not_quick) {
+  const FrameRequest request = moving(16, 1, 1);
+  const ResolvePlan plan = resolve_plan(request);
+  const KeptView before = kept_view(request, plan);
+  const auto marches = [&](const glm::dvec3& moved_m, double turned_deg, const ResolvePlan& by,
+                           GroundKind ground = GroundKind::plain) {
+    KeptView now = before, then = before;
+    auto sky = std::make_shared<Cloudscape>(*request.cloudscape);
+    sky->ground.kind = ground;
+    now.cloudscape = then.cloudscape = sky;
+    now.pose.position_m += moved_m, now.pose.azimuth_deg += turned_deg;
+    return marches_newly_seen(by, now, then);
+  };
+  const glm::dvec3 nowhere(0), forward(0, 3, 1), sideways(5, 0, 0);
+  EXPECT_FALSE(marches(nowhere, 0, plan)) << "it stands still";
+  EXPECT_TRUE(marches(nowhere, 0.8, plan));
+  EXPECT_FALSE(marches(nowhere, 20, plan)) << "nobody sees how sharp that is";
+  EXPECT_FALSE(marches(forward, 0, plan)) << "all was in the picture before";
+  EXPECT_TRUE(marches(forward, 0, plan, GroundKind::terrain)) << "but what land hid";
+  EXPECT_TRUE(marches(sideways, 0, plan)) << "what is near comes in";
+  EXPECT_FALSE(marches(nowhere, 0.8, resolve_plan(moving(1, 2, 1)))) << "every pixel is marched";
+  EXPECT_FALSE(marches_newly_seen(plan, before, std::nullopt));
 }
 
 // Of the tone curve at each kept pixel, enlarged, against that of each shown pixel; in steps of 8 bits.

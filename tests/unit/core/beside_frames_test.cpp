@@ -19,6 +19,7 @@ TEST(BesideFrames, WorkYieldsAndSoDoesWhatItStarts) {
   EXPECT_GT(worker, own);
   EXPECT_EQ(started, worker);
   EXPECT_EQ(niceness(), own) << "who asked does not yield";
+  EXPECT_GT(beside_frames(niceness, Beside::lagging).get(), worker) << "nobody waits for it";
 }
 
 }  // namespace
