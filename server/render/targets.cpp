@@ -7,10 +7,6 @@ namespace {
 
 using gpu::Format, gpu::Texture;
 
-// tuned: sizes that alternate without being made anew each time; a moving picture has two, for its rays and for what it
-// newly sees.
-constexpr std::size_t most_free = 8;
-
 int divided(int length, int divisor) { return (length + divisor - 1) / divisor; }
 
 Texture march_target(Format format, int width, int height, const char* label) {

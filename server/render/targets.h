@@ -46,6 +46,9 @@ void prepare_bloom(Targets& targets, const FrameRequest& request);
 
 class TargetPool {
  public:
+  // tuned: sizes that alternate without being made anew each time; a moving picture has two, for its rays and for what
+  // it newly sees.
+  static constexpr std::size_t most_free = 8;
   std::unique_ptr<Targets> acquire(ImageSize size, const RenderQuality& quality, RayPlaces places = RayPlaces::first);
   void release(std::unique_ptr<Targets> targets);
   std::size_t size() const { return free_.size(); }
