@@ -1,15 +1,18 @@
 // Frames of moving pictures: what is left to do when their rays are marched.
 #include "core/ms_since.h"
+#include "render/discs.h"
 #include "render/renderer.h"
 
 namespace cloudscape::render {
 
-// What is seen for the first time: beyond the edges when the picture turns, and behind land that moves.
+// What is seen for the first time (beyond the edges when the picture turns, and behind land that moves), and sun and
+// moon.
 void Renderer::march_newly_seen(RenderJob& job) {
   const FrameRequest request = newly_seen_request(job.resolved->asked, job.resolved->plan);
   FrameBlock frame = frame_block(request, job.sample);
   frame.lens.z = frame.lens.w = 0;
   frame.accumulation.x = 1;
+  widen_discs(frame, request.size_px, request.lens.vertical_fov_deg);
   frame.march_target.z = 1;
   frame_block_.upload(frame);
   auto targets = pool_.acquire(request.size_px, request.quality);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/wind.h"
+#include "render/discs.h"
 #include "render/newly_seen.h"
 
 namespace cloudscape::render {
@@ -144,6 +145,10 @@ ResolveBlock resolve_block(const ResolvePlan& plan, std::uint64_t frame, const K
   const double parallax_px = per_km * 0.5 * plan.kept.height / half_height_of(now.vertical_fov_deg);
   block.drift = xyz_w(glm::dvec3(drift, 0), 1000 * most_newly_seen_closeness_per_m(moved_m(now, then)));
   block.marched = {at.x, at.y, resting ? 0 : 1, parallax_px};
+  if (plan.stride > 1 && !resting) {
+    const Discs discs = discs_of(now, plan.kept);
+    block.sun = xyz_w(discs.sun_px, 0), block.moon = xyz_w(discs.moon_px, 0);
+  }
   block.trust = {moving_samples, moving_samples, moving_margin, moving_margin};
   if (slow) block.trust.x = slow_samples, block.trust.z = slow_margin;
   if (resting) block.trust.x = resting_samples, block.trust.z = resting_margin;

@@ -36,7 +36,10 @@ Resolver::Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       newly_seen_(context, shaders, "render/newly_seen.glsl", {kept_format(context)}, "", tiles_too),
       newly_seen_land_(context, shaders, "render/newly_seen_land.glsl", {kept_format(context), Format::r32f}, "",
                        tiles_too),
-      block_("resolve") {}
+      block_("resolve") {
+  block_.upload(ResolveBlock{});  // the scene's and the march's passes have it, whoever runs them
+  block_.bind();
+}
 
 ResolvedFrame Resolver::begin(const FrameRequest& asked) const {
   const auto found = pictures_.find(asked.stream);
@@ -90,7 +93,7 @@ bool Resolver::resolve(const ResolvedFrame& frame, const Accumulation& marched, 
   if (!fits(shared.spare, plan.kept)) shared.spare = {};
   picture.view = now;
   picture.frames = frame.frame + 1;
-  return block.kept.w != 0;
+  return block.kept.w != 0 || block.sun.z > 0 || block.moon.z > 0;
 }
 
 Passes::NewlySeen Resolver::newly_seen(const ResolvedFrame& frame) const {

@@ -26,8 +26,8 @@ class Resolver {
   Resolver(const gpu::Context& context, gpu::ShaderLibrary& shaders);
   ResolvedFrame begin(const FrameRequest& asked) const;
   // Continues the stream's picture with what was marched into `marched` (radiance and distance of what is seen). The
-  // frame block of the marched request must be bound. Whether the picture has parts that are newly seen and ask for
-  // rays of their own: newly_seen tells which.
+  // frame block of the marched request must be bound. Whether parts of the picture ask for rays of their own (what is
+  // newly seen, sun and moon): newly_seen tells which.
   bool resolve(const ResolvedFrame& frame, const Accumulation& marched, PassClock& clock);
   Passes::NewlySeen newly_seen(const ResolvedFrame& frame) const;
   // Puts those, marched into `targets`, into the picture. The frame block of the newly seen request must be bound.

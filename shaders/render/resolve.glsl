@@ -1,11 +1,12 @@
 // targets: rgba16f
 // The kept picture: the pixels that this frame marched, averaged with what the picture before has there, and the others from that
 // picture, re-projected by the distance and the motion of what is seen. Radiance; samples in the average / 64.
-// The tiles (of 8x8 pixels) of what was not seen before are marked, and nothing is in its average.
+// The tiles (of 8x8 pixels) of what was not seen before are marked, and nothing is in its average; those of the discs of sun and moon, too.
 // With OUTLINES, of land, target 1: 1 / distance of what is seen (1/km).
 #include "shared/frame_block.glsl"
 #include "shared/resolve_block.glsl"
 #include "render/catmull_rom.glsl"
+#include "render/discs.glsl"
 #include "lib/reprojection.glsl"
 layout(binding = 0) uniform sampler2D marched;  // radiance, 1 / distance (1/km; of clouds, or less than 0)
 layout(binding = 1) uniform sampler2D kept_before;
@@ -110,9 +111,10 @@ PassOutput shade(ivec2 pixel) {
   vec3 average = mix(around.here.xyz, within(around, kept.xyz, margin), known);
   float weight = fresh ? 1.0 / (samples + 1.0) : 0.0;
   bool unseen = seen.known == 0.0 && seen.closeness <= resolve.drift.w;
-  int newly = resolve.kept.w != 0 && unseen && !fresh ? 1 : 0;
-  for (int i = 0; i < newly; ++i) imageStore(newly_seen, pixel >> 3, vec4(1.0));
-  samples = newly == 1 ? 0.0 : max(samples + (fresh ? 1.0 : 0.0), hardly_any);
+  bool newly = resolve.kept.w != 0 && unseen && !fresh;
+  int marked = newly || in_disc(pixel) ? 1 : 0;
+  for (int i = 0; i < marked; ++i) imageStore(newly_seen, pixel >> 3, vec4(1.0));
+  samples = newly ? 0.0 : max(samples + (fresh ? 1.0 : 0.0), hardly_any);
   vec4 kept_now = vec4(mix(average, around.here.xyz, weight), samples / most_samples);
 #ifdef OUTLINES
   return PassOutput(kept_now, vec4(fresh ? abs(around.here.w) : seen.closeness));

@@ -10,6 +10,7 @@
    before_up.w: width of that over its height; before_forward.w: whether there is a picture before.
    moved: from that camera to this one, m; moved.w: tangent of half the height of this kept picture. drift: of the clouds since, m; drift.w: how close (1/km)
    newly seen pixels are at most that are marched.
+   sun, moon: column, row and radius of their discs in the kept picture, pixels; radius 0 where no rays are marched for them.
    trust: samples that a pixel's average holds at most, resting and moving; by how much of its range the neighbourhood is widened,
    resting and moving. */
 #define RESOLVE_FIELDS(F) \
@@ -20,6 +21,8 @@
   F(vec4, before_forward) \
   F(vec4, moved) \
   F(vec4, drift) \
+  F(vec4, sun) \
+  F(vec4, moon) \
   F(vec4, trust)
 DECLARE_BLOCK(ResolveBlock, resolve, 9, RESOLVE_FIELDS)
 #endif
