@@ -72,7 +72,7 @@ struct DistanceFieldBuilder::Work {
   glm::ivec3 size;                                      // cells
   std::shared_ptr<const BakedCloudscape> kept_by = {};  // which keeps it while that takes several frames
   int stage = 0;
-  Texture slopes = {}, greatest = {}, squares = {}, spare = {};
+  Texture slopes = {}, range = {}, squares = {}, spare = {};
   gpu::UniformBlock<DistanceBlock> block{"distance"};
   DistanceBlock values{ivec4(size, plan.levels),
                        vec4(plan.lowest_threshold, plan.between_levels, 0, 0),
@@ -84,15 +84,15 @@ struct DistanceFieldBuilder::Work {
   void bind() { block.upload(values), block.bind(); }
 };
 
-// Of each cell the greatest shape noise that a look-up in it can find.
+// Of each cell the greatest and the least shape noise that a look-up in it can find.
 void DistanceFieldBuilder::enclose_shape(Work& work) const {
-  work.greatest = cells(Format::rg32f, work.size, "greatest shape");
+  work.range = cells(Format::rg32f, work.size, "range of the shape");
   gpu::UniformBlock<StructureBlock> block("structure");
   constexpr float reach = 0.01F;  // beyond the faces: a look-up beside one may be taken for the next cell's
-  block.upload({work.values.weights, ivec4(work.size, work.baked.shape().width()), vec4(reach, 0, 0, 0)});
+  block.upload({work.values.weights, ivec4(work.size, work.baked.shape().width()), vec4(reach, 0, 1, 0)});
   block.bind();
   const Binding shape[] = {{0, &work.baked.shape()}};
-  enclose_.run(work.greatest, 0, work.size.z, shape);
+  enclose_.run(work.range, 0, work.size.z, shape);
 }
 
 // Of each texel: how steep the shape noise is.
@@ -115,11 +115,12 @@ void DistanceFieldBuilder::pad_slopes(Work& work) const {
   pad_.run(work.slopes, 0, work.size.z, unpadded);
 }
 
-// Of each level in a channel: square of the distance to the nearest cell with cloud, m^2. First of each cell alone.
+// Of each level in a channel: square of the distance to the nearest cell with cloud, m^2; below 0 within cloud, to the
+// nearest with clear air. First of each cell alone.
 void DistanceFieldBuilder::begin_squares(Work& work) const {
   work.squares = cells(Format::rgba32f, work.size, "distances");
   work.spare = cells(Format::rgba32f, work.size, "distances");
-  const Binding shape[] = {{0, &work.greatest}};
+  const Binding shape[] = {{0, &work.range}};
   seed_.run(work.squares, 0, work.size.z, shape);
 }
 
@@ -147,7 +148,7 @@ glm::ivec3 DistanceFieldBuilder::texels_of(const Work& work) {
 
 // By all that the field depends on.
 std::string DistanceFieldBuilder::name_of(const Work& work) const {
-  constexpr const char* version = "2 ";  // of the shaders: raise it when they change what they make
+  constexpr const char* version = "3 ";  // of the shaders: raise it when they change what they make
   const std::string across = std::to_string(most_across_);
   return sha256_hex(version + across + bake_key(work.baked.texels().recipe) + content_hash(work.plan)) + ".distance";
 }

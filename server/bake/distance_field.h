@@ -1,5 +1,7 @@
-// The distance field: how far each point of the tile is from the nearest cloud, so that a march can cross clear air in
-// as few steps as there are clouds beside it (UHawk, "Rendering volumetric clouds using signed distance fields").
+// The signed distance field: how far each point of the tile is from the nearest cloud, and (below 0) within cloud from
+// clear air. A march crosses clear air by it in as few steps as there are clouds beside it (UHawk, "Rendering
+// volumetric clouds using signed distance fields"). Tried: steps in proportion to the depth within cloud. Before a ray
+// is so deep that they are longer, what it sees is opaque.
 #pragma once
 #include <list>
 #include <memory>
@@ -18,10 +20,11 @@ class DistanceFieldBuilder {
   // `files`: where fields are kept from run to run.
   DistanceFieldBuilder(gpu::ShaderLibrary& shaders, int most_across, KeptFiles files = KeptFiles({}, 0));
   glm::ivec3 size_for(const BakedCloudscape& baked) const;  // cells east, north and up
-  // RG16F, size_for(baked) cells, level upon level. Red: metres from any point of the cell within which no
-  // shape noise is above the level's threshold, nor above what the threshold can fall to on the way; 0 in and beside
-  // cloud. Green: metres that the noise less the threshold takes at least to change by 1, within a cell's length of the
-  // cell. Built on the device when first asked for, and kept with the baked cloudscape for the last few plans.
+  // RG16F, size_for(baked) cells, level upon level. Red: metres from any point of the cell within which no shape noise
+  // is above the level's threshold, nor above what the threshold can fall to on the way; below 0 where all of it is
+  // above the next level's threshold, and what that can rise to; 0 at the edges of clouds. Green: metres that the noise
+  // less the threshold takes at least to change by 1, within a cell's length of the cell. Built on the device when
+  // first asked for, and kept with the baked cloudscape for the last few plans.
   const gpu::Texture& of(const BakedCloudscape& baked, const DistancePlan& plan) const;
   // Does a stage of that, 10 to 60 ms of two cores without a GPU; true: all are done.
   bool advance(const std::shared_ptr<const BakedCloudscape>& baked, const DistancePlan& plan);

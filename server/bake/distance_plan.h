@@ -14,7 +14,7 @@ struct DistancePlan {
   double lowest_threshold = 0;      // below it none is anywhere
   double between_levels = 1;        // of the threshold
   int levels = 1;                   // up to most_distance_levels
-  double threshold_fall_per_m = 0;  // how fast the threshold can fall along a way
+  double threshold_fall_per_m = 0;  // how fast the threshold can fall, or rise, along a way
   bool jumps = false;               // whether the shape is looked up without interpolation
   bool operator==(const DistancePlan&) const = default;
 

@@ -1,5 +1,5 @@
 // Bakes the unpadded structure (Olajos 2.4.2): for each cell the greatest shape noise that interpolation can give in it, and as far
-// beyond its faces as it is to reach; beside it (y) the greatest density of the layers there, where there are several, else 1.
+// beyond its faces as it is to reach; beside it (y) the greatest density of the layers there, or the least noise, or 1.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "shared/structure_block.glsl"
 #include "lib/around_edges.glsl"
@@ -8,14 +8,21 @@ layout(binding = 0) uniform sampler3D shape_texture;
 
 ivec3 inside(ivec3 texel, ivec3 size) { return clamp(around_edges(texel, size), ivec3(0), size - 1); }
 
-// Shape (x), what the finer channels make of it (y) and density (z), the greatest of the four texels of a cube's face.
-vec3 face_maximum(ivec3 at, ivec3 size) {
-  vec3 most = vec3(-1.0e9);
+// Shape (x), what the finer channels make of it (y) and density (z), the greatest and the least of some texels.
+struct Range {
+  vec3 most, least;
+};
+Range both(Range a, Range b) { return Range(max(a.most, b.most), min(a.least, b.least)); }
+
+// Of the four texels of a cube's face.
+Range face_range(ivec3 at, ivec3 size) {
+  Range range = Range(vec3(-1.0e9), vec3(1.0e9));
   for (int i = 0; i < 4; ++i) {
     vec4 noise = texelFetch(shape_texture, inside(at + ivec3(0, i & 1, i >> 1), size), 0);
-    most = max(most, vec3(noise.x, 1.0 + dot(structure_values.weights.yzw, noise.yzw - 0.5), noise.y));
+    vec3 texel = vec3(noise.x, 1.0 + dot(structure_values.weights.yzw, noise.yzw - 0.5), noise.y);
+    range = both(range, Range(texel, texel));
   }
-  return most;
+  return range;
 }
 
 void main() {
@@ -28,20 +35,20 @@ void main() {
   float reach = structure_values.reach.x;
   ivec3 first = ivec3(floor((vec3(cell) - reach) * vec3(size) / vec3(cells) - 0.5));
   ivec3 last = ivec3(ceil((vec3(cell + 1) + reach) * vec3(size) / vec3(cells) - 0.5)) - 1;
-  float greatest = 0.0;
-  float densest = 0.0;
+  float greatest = 0.0, least = 1.0e9, densest = 0.0;
   for (int z = first.z; z <= last.z; ++z) {
     for (int y = first.y; y <= last.y; ++y) {
-      vec3 face = face_maximum(ivec3(first.x, y, z), size);
+      Range face = face_range(ivec3(first.x, y, z), size);
       for (int x = first.x; x <= last.x; ++x) {
         // The channels are interpolated one by one, and then multiplied: no more than the product of their maxima.
-        vec3 next = face_maximum(ivec3(x + 1, y, z), size);
-        vec3 most = max(face, next);
-        greatest = max(greatest, most.x * max(most.y, 0.0));
-        densest = max(densest, most.z);
+        Range next = face_range(ivec3(x + 1, y, z), size);
+        Range cube = both(face, next);
+        greatest = max(greatest, cube.most.x * max(cube.most.y, 0.0));
+        least = min(least, cube.least.x * max(cube.least.y, 0.0));
+        densest = max(densest, cube.most.z);
         face = next;
       }
     }
   }
-  imageStore(target, cell, vec4(greatest, structure_values.reach.y > 0.0 ? densest : 1.0, 0.0, 0.0));
+  imageStore(target, cell, vec4(greatest, structure_values.reach.z > 0.0 ? least : structure_values.reach.y > 0.0 ? densest : 1.0, 0.0, 0.0));
 }

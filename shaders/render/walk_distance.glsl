@@ -5,7 +5,7 @@
 #include "render/walk.glsl"
 layout(binding = 4) uniform sampler3D distance_field;
 
-// About p (server/bake/distance_field.h): how far there is no cloud, m; how far the noise takes to change by 1, m.
+// About p (server/bake/distance_field.h): how far there is no cloud (below 0: no clear air), m; how far the noise takes to change by 1, m.
 vec2 nearness_of(vec3 p, Land land) {
   float levels = cloud.distance.w;
   float level = clamp(floor((land.threshold - cloud.distance.y) * cloud.distance.z - 1.0e-4), 0.0, levels - 1.0);

@@ -4,7 +4,8 @@
 #include "shared/block.glsl"
 
 /* weights: 1 and those of the shape texture's finer channels. size: cells east, north and up; texels a side of the shape texture.
-   reach: how far beyond each cell's faces the noise is looked for, cells; whether green is the layers' density; 0, 0. */
+   reach: how far beyond each cell's faces the noise is looked for, cells; whether green is the layers' density, or the
+   least noise; 0. */
 #define STRUCTURE_FIELDS(F) \
   F(vec4, weights) \
   F(ivec4, size) \

@@ -1,4 +1,5 @@
-// The distance field tells of each cell how far no cloud is, and nearly as far as none is.
+// The distance field tells of each cell how far no cloud is, and nearly as far as none is; within cloud, how far all
+// is.
 #include "bake/distance_field.h"
 
 #include <algorithm>
@@ -109,6 +110,54 @@ TEST_F(DistanceField, OfOneCloudIsTheGapToItAroundTheTilesEdges) {
         ASSERT_NEAR(field.at({x, y, z}), expected, 0.002 * expected) << x << " " << y << " " << z;
         ASSERT_LE(field.at({x, y, z}), expected) << "told too far";
       }
+}
+
+// Full noise in a block of texels, first to last.
+BakedTexels block_of_cloud(const glm::ivec3& first, const glm::ivec3& last, int value = 255) {
+  std::vector<std::pair<glm::ivec3, int>> clouds;
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x) clouds.push_back({{x, y, z}, value});
+  return texels_with(clouds);
+}
+
+// Interpolation leaves one cell less on each side that is nothing but cloud.
+TEST_F(DistanceField, WithinCloudIsBelowZeroByTheGapToClearAir) {
+  const Field field = built(BakedCloudscape(block_of_cloud({4, 4, 3}, {11, 11, 12})), plan_of(0.3, 0.3));
+  for (int z = 0; z < 16; ++z)
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        const auto deep = [](int at, int first, int last) { return std::max(std::min(at - first, last - at) - 1, -1); };
+        const glm::ivec3 cells(deep(x, 4, 11), deep(y, 4, 11), deep(z, 3, 12));
+        const double metres = std::min({cells.x * 100, cells.y * 200, cells.z * 50});
+        if (glm::min(cells, glm::ivec3(0)) == glm::ivec3(0))
+          ASSERT_NEAR(field.at({x, y, z}), -metres, 0.002 * metres) << x << " " << y << " " << z;
+        else
+          ASSERT_GE(field.at({x, y, z}), 0) << x << " " << y << " " << z;
+      }
+}
+
+// Above and below the tile all is clear; beside it is the next one.
+TEST_F(DistanceField, EndsAtTheTilesTopAndBottom) {
+  const Field field = built(BakedCloudscape(block_of_cloud({0, 0, 0}, {15, 15, 15})), plan_of(0.3, 0.3));
+  for (const int z : {0, 15}) EXPECT_EQ(field.at({0, 3, z}), 0) << z;
+  for (const int z : {2, 13}) EXPECT_NEAR(field.at({0, 3, z}), -100, 0.2) << z;
+  EXPECT_NEAR(field.at({8, 8, 8}), -350, 1);
+}
+
+// A threshold that rises on the way takes what is only just cloud: of 150 / 255 = 0.59, between the third and the
+// fourth level.
+TEST_F(DistanceField, WithinCloudReckonsWithAThresholdThatRises) {
+  const BakedCloudscape baked(block_of_cloud({0, 0, 0}, {15, 15, 15}, 150));
+  DistancePlan plan = plan_of(0.2, 0.7);
+  Field field = built(baked, plan);
+  EXPECT_NEAR(field.at({8, 8, 8}, 0), -350, 1);
+  EXPECT_NEAR(field.at({8, 8, 8}, 1), -350, 1);
+  EXPECT_EQ(field.at({8, 8, 8}, 2), 0) << "the threshold may lie above it there";
+  plan.threshold_fall_per_m = plan.between_levels / 150;
+  field = built(baked, plan);
+  EXPECT_NEAR(field.at({8, 8, 8}, 0), -150, 1) << "two levels higher it ends";
+  EXPECT_EQ(field.at({8, 8, 8}, 1), 0);
 }
 
 // Levels from 0.1875, 9/64 apart: of 0.19, 0.33, 0.47 and 0.61. The weak cloud, of 90 / 255 = 0.35, is in the lower
