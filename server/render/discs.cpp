@@ -15,13 +15,16 @@ double pixel_radians(double vertical_fov_deg, int rows) { return 2 * half_height
 
 glm::dvec3 disc_px(const KeptView& now, ImageSize kept, const glm::dvec3& direction, double radius_deg) {
   const CameraAxes axes = camera_axes(now.pose);
-  const double ahead = glm::dot(direction, axes.forward), reach = ahead * half_height_of(now.vertical_fov_deg);
-  if (reach <= 0) return glm::dvec3(0);
+  const double half = half_height_of(now.vertical_fov_deg), ahead = glm::dot(direction, axes.forward);
+  if (ahead <= 0) return glm::dvec3(0);
   const glm::dvec2 size(kept.width, kept.height);
   const glm::dvec2 across(glm::dot(direction, axes.right) / now.aspect, -glm::dot(direction, axes.up));
-  const glm::dvec2 at = (0.5 + 0.5 * across / reach) * size;
+  const glm::dvec2 at = (0.5 + 0.5 * across / (ahead * half)) * size;
+  // Larger towards the picture's corners, and not beyond them.
+  const double corner = 1 / (1 + half * half * (1 + now.aspect * now.aspect)),
+               larger = 1 / std::max(ahead * ahead, corner);
   const double radius_px = radius_deg * radians_per_degree / pixel_radians(now.vertical_fov_deg, kept.height);
-  const double radius = std::max(radius_px / (ahead * ahead), least_radius_px);  // larger towards the picture's corners
+  const double radius = std::max(radius_px * larger, least_radius_px);
   const bool seen = at.x > -radius && at.y > -radius && at.x < size.x + radius && at.y < size.y + radius;
   return {at, seen ? radius : 0};
 }

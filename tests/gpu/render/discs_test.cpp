@@ -65,6 +65,12 @@ TEST(DiscsTest, lie_where_the_picture_shows_them) {
   EXPECT_LT(aside.y, middle.y - 3);
   request.pose.azimuth_deg = 90;
   EXPECT_EQ(discs_in(request).sun_px.z, 0) << "it is not in the picture";
+  // Beside the camera, where a disc would be stretched over the whole picture.
+  for (const double aside_deg : {50.0, 80.0, 88.0, 89.9})
+    for (const double towards : {-1.0, 1.0}) {
+      request.pose.azimuth_deg = towards * aside_deg;
+      EXPECT_EQ(discs_in(request).sun_px.z, 0) << towards * aside_deg;
+    }
   request.pose.azimuth_deg = 180, request.pose.elevation_deg = -20;
   EXPECT_EQ(discs_in(request).sun_px.z, 0) << "it is behind the camera";
 }
