@@ -8,7 +8,8 @@
 namespace cloudscape::render {
 namespace {
 
-constexpr int layers_per_slice = 4;  // as many as a work group has; some 30 ms on two cores
+// As many as a work group has: some 30 ms on two cores; or, beside frames that do not wait for it, one.
+constexpr int layers_per_slice = 4, layers_per_lagging_slice = 1;
 
 }  // namespace
 
@@ -16,7 +17,7 @@ InScatterExtinction::InScatterExtinction(gpu::ShaderLibrary& shaders)
     : pass_(shaders, "render/in_scatter_extinction.comp"), cloud_("cloud"), block_("in-scatter grid") {}
 
 bool InScatterExtinction::advance(const std::shared_ptr<const Cloudscape>& marched, const bake::BakedCloudscape& baked,
-                                  const InScatterPlan& plan, InScatterGrids& grids) const {
+                                  const InScatterPlan& plan, InScatterGrids& grids, Beside beside) const {
   if (grids.done.size() == plan.thresholds.size()) return true;
   const Volume& volume = marched->volume;
   const glm::dvec3 below = glm::dvec3(1, 1, 0) * (volume.origin_m + 0.5 * volume.size_m);
@@ -31,7 +32,8 @@ bool InScatterExtinction::advance(const std::shared_ptr<const Cloudscape>& march
   if (grids.next_layer == 0)
     grids.extinction = gpu::Texture(gpu::Format::r32f, plan.size.x, plan.size.y, plan.size.z, "extinction");
   const gpu::Binding textures[] = {{0, &baked.shape()}, {1, &baked.detail()}, {2, &baked.variation()}};
-  const int end = std::min(grids.next_layer + layers_per_slice, plan.size.z);
+  const int layers = beside == Beside::lagging ? layers_per_lagging_slice : layers_per_slice;
+  const int end = std::min(grids.next_layer + layers, plan.size.z);
   pass_.run(grids.extinction, grids.next_layer, end, textures);
   grids.next_layer = end;
   if (end < plan.size.z) return false;

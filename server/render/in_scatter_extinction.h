@@ -1,6 +1,7 @@
 // The extinction of a cloudscape's clouds at the points of its in-scatter volume.
 #pragma once
 #include "bake/in_scatter.h"
+#include "core/beside_frames.h"
 #include "gpu/pass.h"
 #include "render/blocks.h"
 #include "render/in_scatter_plan.h"
@@ -17,10 +18,10 @@ struct InScatterGrids {
 class InScatterExtinction {
  public:
   explicit InScatterExtinction(gpu::ShaderLibrary& shaders);
-  // Computes the next slice, some milliseconds long; true when all are done. `marched`: as `as_marched` makes it. Binds
-  // blocks of its own.
+  // Computes the next slice, shorter where frames do not wait for it; true when all are done. `marched`: as
+  // `as_marched` makes it. Binds blocks of its own.
   bool advance(const std::shared_ptr<const Cloudscape>& marched, const bake::BakedCloudscape& baked,
-               const InScatterPlan& plan, InScatterGrids& grids) const;
+               const InScatterPlan& plan, InScatterGrids& grids, Beside beside) const;
 
  private:
   gpu::VolumePass pass_;

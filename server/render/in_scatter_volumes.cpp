@@ -148,17 +148,19 @@ std::shared_ptr<InScatterVolumes::Clouds> InScatterVolumes::clouds_of(const Want
   return clouds;
 }
 
-const InScatterVolumes::Question& InScatterVolumes::question_of(const Wanted& wanted) {
+const InScatterVolumes::Question* InScatterVolumes::known_question(const Wanted& wanted) {
   const auto found = std::find_if(questions_.begin(), questions_.end(), [&](const Question& each) {
     return each.cloudscape == wanted.request.cloudscape && each.baked.lock() == wanted.baked &&
            each.lights.lock() == wanted.lights && each.mean_cosine == wanted.mean_cosine;
   });
-  if (found != questions_.end()) {
-    questions_.splice(questions_.begin(), questions_, found);
-    return questions_.front();
-  }
-  Question question{
-      wanted.request.cloudscape, wanted.baked, wanted.lights, wanted.mean_cosine, clouds_of(wanted), {}, {}};
+  if (found == questions_.end()) return nullptr;
+  questions_.splice(questions_.begin(), questions_, found);
+  return &questions_.front();
+}
+
+// Reads the light back from the device, and waits for it.
+const InScatterVolumes::Question& InScatterVolumes::ask(const Wanted& wanted, const std::shared_ptr<Clouds>& clouds) {
+  Question question{wanted.request.cloudscape, wanted.baked, wanted.lights, wanted.mean_cosine, clouds, {}, {}};
   question.light = light_of(*question.cloudscape, *wanted.lights, question.clouds->plan);
   question.key = sha256_hex(question.clouds->key + light_key(question.light));
   questions_.push_front(std::move(question));
@@ -171,12 +173,17 @@ InScatterVolumes::Job* InScatterVolumes::job_of(const std::string& key) {
   return found == jobs_.end() ? nullptr : &*found;
 }
 
+InScatterVolumes::Job* InScatterVolumes::job_in(const Clouds& clouds) {
+  const auto found = std::ranges::find_if(jobs_, [&](const Job& each) { return each.clouds.get() == &clouds; });
+  return found == jobs_.end() ? nullptr : &*found;
+}
+
 // nullptr: enough is being solved, or the clouds are not there yet.
 InScatterVolumes::Job* InScatterVolumes::start(const Question& question, const bake::BakedCloudscape& baked,
                                                Beside beside) {
   stop_the_forgotten();
   Clouds& clouds = *question.clouds;
-  if (!extinction_.advance(clouds.marched, baked, clouds.plan, clouds.grids) || jobs_.size() >= most_jobs)
+  if (!extinction_.advance(clouds.marched, baked, clouds.plan, clouds.grids, beside) || jobs_.size() >= most_jobs)
     return nullptr;
   std::vector<bake::InScatterProblem> levels;
   for (const bake::InScatterGrid& grid : clouds.grids.done)
@@ -223,22 +230,25 @@ void InScatterVolumes::stop_the_forgotten() {
 
 std::shared_ptr<const InScatterVolume> InScatterVolumes::find(const Wanted& wanted) {
   take_results();
-  const Question& question = question_of(wanted);
-  Clouds& clouds = *question.clouds;
-  if (auto volume = kept(question.key)) return clouds.newest = volume;
+  const Question* known = known_question(wanted);
+  const std::shared_ptr<Clouds> in = known ? known->clouds : clouds_of(wanted);
+  Clouds& clouds = *in;
   const bool may_lag = wanted.request.light_may_lag && clouds.newest;
+  // Light that may lag is solved one sun after the other, each to its end.
+  if (Job* running = may_lag && !known ? job_in(clouds) : nullptr) {
+    running->asked = Clock::now();
+    return clouds.newest;
+  }
+  const Question& question = known ? *known : ask(wanted, in);
+  if (auto volume = kept(question.key)) return clouds.newest = volume;
   Job* job = job_of(question.key);
+  if (!job && may_lag) job = job_in(clouds);
   if (!job) {
-    // Light that may lag is solved one sun after the other, each to its end.
-    for (Job& other : jobs_)
-      if (may_lag && other.clouds == question.clouds) job = &other;
-    if (!job) {
-      if (const auto light = cache_.load(question.key, count_of(clouds.plan))) {
-        keep(question.key, clouds, *light);
-        return clouds.newest;
-      }
-      job = start(question, *wanted.baked, may_lag ? Beside::lagging : Beside::awaited);
+    if (const auto light = cache_.load(question.key, count_of(clouds.plan))) {
+      keep(question.key, clouds, *light);
+      return clouds.newest;
     }
+    job = start(question, *wanted.baked, may_lag ? Beside::lagging : Beside::awaited);
   }
   if (job) job->asked = Clock::now();
   if (may_lag) return clouds.newest;

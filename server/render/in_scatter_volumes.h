@@ -76,7 +76,8 @@ class InScatterVolumes {
     std::string key;
     std::shared_ptr<const InScatterVolume> volume;
   };
-  const Question& question_of(const Wanted& wanted);
+  const Question* known_question(const Wanted& wanted);  // nullptr: it is a new one
+  const Question& ask(const Wanted& wanted, const std::shared_ptr<Clouds>& clouds);
   std::shared_ptr<Clouds> clouds_of(const Wanted& wanted);
   std::shared_ptr<const InScatterVolume> kept(const std::string& key);
   void keep(const std::string& key, Clouds& clouds, const bake::LightTexels& light);
@@ -85,6 +86,7 @@ class InScatterVolumes {
                                                 const std::stop_token& stop, Draft& draft);
   void stop_the_forgotten();
   Job* job_of(const std::string& key);
+  Job* job_in(const Clouds& clouds);
   Job* start(const Question& question, const bake::BakedCloudscape& baked, Beside beside);
 
   InScatterExtinction extinction_;

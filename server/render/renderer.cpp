@@ -74,7 +74,8 @@ std::unique_ptr<RenderJob> Renderer::begin(const FrameRequest& request) {
     job->resolved = resolver_.begin(job->request);
     job->request = marched_request(job->request, job->resolved->plan);
     job->sample = job->last_sample = marched_sample(job->resolved->plan, job->resolved->frame);
-    if (request.light_may_lag) job->turn = job->resolved->frame % 2 ? LaggingTurn::water : LaggingTurn::shadows;
+    if (request.light_may_lag)
+      job->turn = static_cast<LaggingTurn>(job->resolved->frame % (has_water(*job->request.cloudscape) ? 4 : 2));
     return job;
   }
   resolver_.outdate(request);
@@ -139,7 +140,7 @@ bool Renderer::find_in_scatter(RenderJob& job) {
 bool Renderer::find_sun_depth(RenderJob& job) {
   if (job.sun_depth && (job.ambient || !has_ambient_visibility(*job.request.cloudscape))) return true;
   const CloudBlock cloud = cloud_values(job);
-  const CloudDensities::Wanted wanted{job.request, cloud, job.baked, job.turn == LaggingTurn::water};
+  const CloudDensities::Wanted wanted{job.request, cloud, job.baked, job.rests(LaggingTurn::shadows)};
   if (sun_depths_.prepare(wanted, job.sun_depth) && ambient_.prepare(wanted, job.ambient)) return true;
   context_.finish();
   return false;
@@ -187,7 +188,7 @@ bool Renderer::find_water(RenderJob& job) {
   if (!has_water(*job.request.cloudscape)) return true;
   const CloudBlock cloud = cloud_values(job);
   const bool found = water_.prepare({job.request, cloud, medium_of(job), job.in_scatter, job.sun_depth, passes_, sky_,
-                                     job.turn == LaggingTurn::shadows},
+                                     job.rests(LaggingTurn::water_sky), job.rests(LaggingTurn::clouds_in_water)},
                                     job.water);
   if (!found) context_.finish();
   return found;
@@ -223,9 +224,7 @@ const SkyTables::Set& Renderer::bind_blocks(RenderJob& job, int sample) {
   frame_block_.bind();
   cloud_block_.bind();
   const AltitudeOfView altitude = job.resolved ? AltitudeOfView::by_sixteenths : AltitudeOfView::exact;
-  // Above water there are two skies, which take turns.
-  const bool rests = job.turn == LaggingTurn::water && has_water(*job.request.cloudscape);
-  if (!job.sky) job.sky = sky_.get(frame, cloud, altitude, sky_lag(job.request, rests));
+  if (!job.sky) job.sky = sky_.get(frame, cloud, altitude, sky_lag(job.request, job.rests(LaggingTurn::sky)));
   return *job.sky;
 }
 

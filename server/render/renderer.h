@@ -25,8 +25,9 @@
 
 namespace cloudscape::render {
 
-// Whose slice a moving frame bakes where the light changes: frames that do the one take the other as it was.
-enum class LaggingTurn { both, shadows, water };
+// What a moving frame bakes a slice of where the light changes; the rest it takes as it was. Above water there is
+// another sky than above the camera.
+enum class LaggingTurn { sky, shadows, water_sky, clouds_in_water };
 
 // A frame that is being rendered.
 struct RenderJob {
@@ -40,7 +41,8 @@ struct RenderJob {
   std::optional<SkyTables::Set> sky;
   Land land;
   WaterView water;
-  LaggingTurn turn = LaggingTurn::both;
+  std::optional<LaggingTurn> turn;  // nullopt: all of it
+  bool rests(LaggingTurn other) const { return turn && *turn != other; }
   std::unique_ptr<Targets> targets;
   int sample = 0, last_sample = 0;        // indices in the average
   int row = 0;                            // of the march target, next to render

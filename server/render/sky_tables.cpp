@@ -52,8 +52,9 @@ std::string sky_key(const FrameBlock& frame) {
   return key;
 }
 
-std::string lights_key(const FrameBlock& frame, const CloudBlock& cloud) {
-  return sky_key(frame) + bytes_of(cloud.layer, cloud.volume.z, frame.sky, frame.night, frame.ground.x);
+// Of what the lights shine on, and what is there without them.
+std::string lit_key(const FrameBlock& frame, const CloudBlock& cloud) {
+  return bytes_of(cloud.layer, cloud.volume.z, frame.sky, frame.night, frame.ground.x);
 }
 
 void run(const gpu::ScreenPass& pass, std::initializer_list<const Texture*> targets,
@@ -95,6 +96,7 @@ SkyTables::SkyTables(const gpu::Context& context, gpu::ShaderLibrary& shaders)
       domes_(most_levels),
       aerials_(most_levels),
       views_(most_views),
+      lagging_views_(most_views),
       lights_(most_lights) {}
 
 double blended_altitude_m(double altitude_m) {
@@ -106,11 +108,19 @@ double blended_altitude_m(double altitude_m) {
 SkyTables::Set SkyTables::get(const FrameBlock& frame, const CloudBlock& cloud, AltitudeOfView altitude, SkyLag lag) {
   Set set;
   set.air = airs_.get(air_key(frame), [&] { return make_air(); });
-  set.lights = lights_.get(lights_key(frame, cloud), [&] { return make_lights(*set.air); });
+  set.lights = lights_of(frame, cloud, *set.air, lag);
   const double camera_m = std::max(0.0, double(frame.camera_forward.w));
   const double altitude_m = altitude == AltitudeOfView::exact ? camera_m : blended_altitude_m(camera_m);
   set.view = view_of(frame, *set.air, altitude_m, lag);
   return set;
+}
+
+std::shared_ptr<const SkyTables::Lights> SkyTables::lights_of(const FrameBlock& frame, const CloudBlock& cloud,
+                                                              const Air& air, SkyLag lag) {
+  const std::string lit = lit_key(frame, cloud), key = sky_key(frame) + lit;
+  if (lag == SkyLag::all && !lights_.find(key))
+    if (auto before = lights_.newest(air_key(frame), lit)) return before;
+  return lights_.get(key, [&] { return make_lights(air); });
 }
 
 std::shared_ptr<const SkyTables::Dome> SkyTables::dome_of(const std::string& sky, const Air& air, int level) {
@@ -127,8 +137,7 @@ std::shared_ptr<const SkyTables::View> SkyTables::view_of(const FrameBlock& fram
   const int level = level_below(altitude_m);
   const double share = share_of_upper(altitude_m);
   if (lag != SkyLag::none && !views_.find(key))
-    if (const auto levels = lagging_levels(frame, air, level, lag))
-      return std::make_shared<const View>(blend(*levels, share));
+    if (const auto levels = lagging_levels(frame, air, level, lag)) return lagging_view(*levels, share);
   return views_.get(key, [&] {
     return blend({dome_of(sky, air, level), dome_of(sky, air, level + 1), aerial_of(sky, air, level),
                   aerial_of(sky, air, level + 1)},
@@ -159,6 +168,13 @@ std::optional<SkyTables::Levels> SkyTables::lagging_levels(const FrameBlock& fra
   if (lag == SkyLag::but_for_one)
     std::ranges::min_element(old, {}, [](const auto& each) { return each.first; })->second();
   return levels;
+}
+
+// As long as none of its tables is renewed it is the same.
+std::shared_ptr<const SkyTables::View> SkyTables::lagging_view(const Levels& levels, double share) {
+  const std::string key =
+      bytes_of(levels.lower_dome->made, levels.upper_dome->made, levels.lower_air->made, levels.upper_air->made, share);
+  return lagging_views_.get(key, [&] { return blend(levels, share); });
 }
 
 void SkyTables::set_block(double altitude_m, double share, bool first_order) {
@@ -225,6 +241,7 @@ void SkyTables::reload(gpu::ShaderLibrary& shaders) {
   aerial_ = gpu::VolumePass(shaders, "render/sky_aerial.comp");
   aerial_blend_ = gpu::VolumePass(shaders, "render/sky_aerial_blend.comp");
   airs_.clear(), domes_.clear(), aerials_.clear(), views_.clear(), lights_.clear();
+  lagging_views_.clear();
 }
 
 }  // namespace cloudscape::render

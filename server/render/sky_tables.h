@@ -60,8 +60,8 @@ double share_of_upper(double altitude_m);      // of the two rungs about it
 
 // tuned: a flight that climbs blends the view anew at each sixteenth of a rung, which changes it by a thousandth.
 enum class AltitudeOfView { exact, by_sixteenths };
-// What is baked of a view in a new light: all; one of its tables, beside the others as they were just before; nothing
-// yet.
+// What is baked in a new light: all; the lights, and one of the view's tables beside the others as they were just
+// before; nothing yet.
 enum class SkyLag { none, but_for_one, all };
 
 // `rests`: it is another one's turn.
@@ -106,6 +106,7 @@ class SkyTables {
     std::shared_ptr<const Dome> lower_dome, upper_dome;
     std::shared_ptr<const Aerial> lower_air, upper_air;
   };
+  std::shared_ptr<const Lights> lights_of(const FrameBlock& frame, const CloudBlock& cloud, const Air& air, SkyLag lag);
   std::shared_ptr<const View> view_of(const FrameBlock& frame, const Air& air, double altitude_m, SkyLag lag);
   std::optional<Levels> lagging_levels(const FrameBlock& frame, const Air& air, int level, SkyLag lag);
   std::shared_ptr<const Dome> dome_of(const std::string& sky, const Air& air, int level);
@@ -113,6 +114,7 @@ class SkyTables {
   Air make_air();
   Dome make_dome(const Air& air, int level);
   Aerial make_aerial(const Air& air, int level);
+  std::shared_ptr<const View> lagging_view(const Levels& levels, double share);
   View blend(const Levels& levels, double share);
   Lights make_lights(const Air& air);
   void set_block(double altitude_m, double share, bool first_order);
@@ -123,7 +125,7 @@ class SkyTables {
   Recent<Air> airs_;
   Recent<Dome> domes_;
   Recent<Aerial> aerials_;
-  Recent<View> views_;
+  Recent<View> views_, lagging_views_;
   Recent<Lights> lights_;
   int bakes_ = 0;
 };

@@ -142,11 +142,11 @@ bool WaterStage::prepare(const Scene& scene, WaterView& view) {
     const FrameBlock frame = frame_block(above, 0);
     frame_block_.upload(frame), frame_block_.bind();
     cloud_block_.upload(scene.cloud), cloud_block_.bind();
-    view.sky = scene.sky.get(frame, scene.cloud, AltitudeOfView::exact, sky_lag(scene.request, scene.rests));
+    view.sky = scene.sky.get(frame, scene.cloud, AltitudeOfView::exact, sky_lag(scene.request, scene.sky_rests));
   }
   if (!has_clouds(scene.cloud)) return true;
   Entry& entry = entry_of(scene);
-  const bool rests = scene.rests && newest_like(entry);
+  const bool rests = scene.clouds_rest && newest_like(entry);
   if (entry.targets && !rests) render_slice(scene, *view.sky, entry);
   if (!entry.targets)
     view.panorama = entry.panorama;

@@ -42,7 +42,7 @@ class WaterStage {
     const std::shared_ptr<const gpu::Texture>& sun_depth;      // the same
     const Passes& passes;
     SkyTables& sky;
-    bool rests = false;  // takes what is nearly it, if there is something, and renders nothing
+    bool sky_rests = false, clouds_rest = false;  // takes what is nearly it, if there is something, and renders nothing
   };
   // Renders the next slice of what the frame needs; true when all is there, or for a frame whose light may lag
   // something that is nearly it. Binds blocks of its own.

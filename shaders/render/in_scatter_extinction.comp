@@ -13,7 +13,7 @@ vec3 around_tile(vec3 p) {
 
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, volume_pass.z_begin);
-  if (any(greaterThanEqual(texel, in_scatter_grid.size.xyz))) return;
+  if (texel.z >= volume_pass.z_end || any(greaterThanEqual(texel.xy, in_scatter_grid.size.xy))) return;
   vec3 middle = in_scatter_grid.first.xyz + in_scatter_grid.spacing.xyz * vec3(texel);
   float sum = 0.0;
   for (int i = 0; i < 27; ++i) {
