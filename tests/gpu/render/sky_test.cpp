@@ -187,6 +187,43 @@ TEST_F(ClearSky, MayLagBehindItsSunByAFewFrames) {
   EXPECT_LT(lagging, 0.5 * (first + settled)) << "it follows";
 }
 
+// Frames of a moving picture do it by turns with shadows and, above water, with another sky and the clouds in it; and
+// it comes to an end.
+TEST_F(ClearSky, IsRenewedByTurnsInMovingPictures) {
+  for (const bool water : {false, true}) {
+    FrameRequest request = picture(clear_world(20), {{0, 0, 800}, 0, 10, 0}, {32, 16});
+    request.content = FrameContent::display;
+    request.quality.reuse = 16;
+    request.stream = next_stream();
+    const auto bakes_at = [&](double sun_deg, bool may_lag) {
+      Cloudscape sky = clear_world(sun_deg);
+      if (water) sky.ground.water.level_m = 0;
+      request.cloudscape = std::make_shared<const Cloudscape>(sky);
+      request.light_may_lag = may_lag;
+      const int before = renderer().sky_bakes();
+      renderer().render(request);
+      return renderer().sky_bakes() - before;
+    };
+    bakes_at(21.13, false);
+    const int round = water ? 4 : 2, skies = water ? 2 : 1;
+    for (int rounds = 0; rounds < 4; ++rounds) {
+      int busy = 0;
+      for (int frame = 0; frame < round; ++frame) {
+        const int bakes = bakes_at(21.13 - 0.3 * (round * rounds + frame), true);
+        EXPECT_LE(bakes, 2) << "what lights the clouds, and one table";
+        busy += bakes > 0 ? 1 : 0;
+      }
+      EXPECT_EQ(busy, skies);
+    }
+    int settling = 0;
+    for (int frame = 0; frame < 5 * round; ++frame) settling += bakes_at(9.37, true);
+    EXPECT_EQ(settling, 1 + 4 * skies);
+    for (int frame = 0; frame < round; ++frame) EXPECT_EQ(bakes_at(9.37, true), 0);
+    EXPECT_EQ(bakes_at(9.37, false), 0) << "all is there";
+    renderer().forget(request.stream);
+  }
+}
+
 // Half a degree of sky about the horizon: no stripe brighter or darker than what lies about it.
 TEST_F(ClearSky, HasNoStripeAtTheHorizon) {
   for (const double sun_deg : {30.0, 2.0}) {
