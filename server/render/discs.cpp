@@ -2,12 +2,11 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
+#include <glm/trigonometric.hpp>
 
 namespace cloudscape::render {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr double least_radius_px = 1.2;  // every place of a picture is so close to the middles of four to six pixels
 
 // In the middle of the picture.
@@ -23,7 +22,7 @@ glm::dvec3 disc_px(const KeptView& now, ImageSize kept, const glm::dvec3& direct
   // Larger towards the picture's corners, and not beyond them.
   const double corner = 1 / (1 + half * half * (1 + now.aspect * now.aspect)),
                larger = 1 / std::max(ahead * ahead, corner);
-  const double radius_px = radius_deg * radians_per_degree / pixel_radians(now.vertical_fov_deg, kept.height);
+  const double radius_px = glm::radians(radius_deg) / pixel_radians(now.vertical_fov_deg, kept.height);
   const double radius = std::max(radius_px * larger, least_radius_px);
   const bool seen = at.x > -radius && at.y > -radius && at.x < size.x + radius && at.y < size.y + radius;
   return {at, seen ? radius : 0};

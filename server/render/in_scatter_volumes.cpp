@@ -235,14 +235,15 @@ std::shared_ptr<const InScatterVolume> InScatterVolumes::find(const Wanted& want
   Clouds& clouds = *in;
   const bool may_lag = wanted.request.light_may_lag && clouds.newest;
   // Light that may lag is solved one sun after the other, each to its end.
-  if (Job* running = may_lag && !known ? job_in(clouds) : nullptr) {
-    running->asked = Clock::now();
+  Job* running = may_lag ? job_in(clouds) : nullptr;
+  if (may_lag && !known && (running || wanted.rests)) {
+    if (running) running->asked = Clock::now();
     return clouds.newest;
   }
   const Question& question = known ? *known : ask(wanted, in);
   if (auto volume = kept(question.key)) return clouds.newest = volume;
   Job* job = job_of(question.key);
-  if (!job && may_lag) job = job_in(clouds);
+  if (!job) job = running;
   if (!job) {
     if (const auto light = cache_.load(question.key, count_of(clouds.plan))) {
       keep(question.key, clouds, *light);

@@ -35,6 +35,7 @@ class InScatterVolumes {
     std::shared_ptr<const bake::BakedCloudscape> baked;
     std::shared_ptr<const SkyTables::Lights> lights;
     double mean_cosine = 0;
+    bool rests = false;  // the lights may be those of the sun before: solves nothing anew if there is any light
   };
   // The light of this sky in these clouds; of a request whose light may lag the newest there is, while this is being
   // solved, or else a first draft of it. nullptr: it is being solved; ask again. Waits some milliseconds at most.

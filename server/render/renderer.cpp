@@ -131,7 +131,7 @@ bool Renderer::find_in_scatter(RenderJob& job) {
   if (job.in_scatter || sky.medium.light_model.kind != LightModelKind::in_scatter_volume) return true;
   const SkyTables::Set& tables = bind_blocks(job, job.sample);
   const double g = mean_cosine(sky.medium.phase, job.phase ? job.phase->mean_asymmetry_g : 0);
-  job.in_scatter = in_scatter_.find({job.request, job.baked, tables.lights, g});
+  job.in_scatter = in_scatter_.find({job.request, job.baked, tables.lights, g, job.rests(LaggingTurn::sky)});
   if (!job.in_scatter) context_.finish();
   return job.in_scatter != nullptr;
 }

@@ -25,8 +25,8 @@
 
 namespace cloudscape::render {
 
-// What a moving frame bakes a slice of where the light changes; the rest it takes as it was. Above water there is
-// another sky than above the camera.
+// What a moving frame bakes a slice of where the light changes; the rest it takes as it was. By turns in this order,
+// the last two only above water, where there is another sky than above the camera.
 enum class LaggingTurn { sky, shadows, water_sky, clouds_in_water };
 
 // A frame that is being rendered.

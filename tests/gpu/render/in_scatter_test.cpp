@@ -133,6 +133,24 @@ struct Kept : OwnStackTest {
   }
 };
 
+// A sun that has moved: frames whose lights are still those of the sun before would have light solved that no sun has.
+TEST_F(Kept, AMovingPictureSolvesTheLightOfTheSunThatItShows) {
+  with_a_new_program([&](Renderer& renderer) {
+    FrameRequest request = picture(small_lit_clouds(61), {{0, 0, 300}, 0, 20, 0}, {32, 16});
+    request.content = FrameContent::display;
+    request.quality.reuse = 16;
+    request.stream = next_stream();
+    renderer.render(request);
+    EXPECT_EQ(light_files(), 1);
+    request.cloudscape = std::make_shared<const Cloudscape>(small_lit_clouds(21));
+    request.light_may_lag = true;
+    for (int frame = 0; frame < 1000 && light_files() < 2; ++frame) renderer.render(request);
+    renderer.forget(request.stream);
+    seen(renderer, 21);
+  });
+  EXPECT_EQ(light_files(), 2) << "that of either sun, and no other";
+}
+
 // The first picture of a stream does not wait for all levels of the light: one of them is not far off.
 TEST_F(Kept, TheFirstMovingPictureIsInADraftOfTheLight) {
   std::vector<float> draft, exact, later;
