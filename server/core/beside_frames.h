@@ -1,5 +1,7 @@
-// Long work beside the frames: on a thread of its own, which leaves the processors to those that render and encode.
+// Long work beside the frames: on a thread of its own, which leaves the processors to those that render and encode,
+// where a stream has frames.
 #pragma once
+#include <atomic>
 #include <future>
 #include <utility>
 
@@ -8,7 +10,21 @@ namespace cloudscape {
 // Whether frames wait for it, or go on with what was there before.
 enum class Beside { awaited, lagging };
 
-// Of the calling thread and of those that it starts from now on.
+// While one lives, somebody looks at frames of a stream. Without one nothing yields: what a still or a first picture
+// waits for has no one in its way, and would wait for every other program of the machine.
+class FramesAreShown {
+ public:
+  FramesAreShown() { ++count; }
+  ~FramesAreShown() { --count; }
+  FramesAreShown(const FramesAreShown&) = delete;
+  FramesAreShown& operator=(const FramesAreShown&) = delete;
+  static bool anywhere() { return count > 0; }
+
+ private:
+  inline static std::atomic<int> count = 0;
+};
+
+// Of the calling thread and of those that it starts from now on; nothing while no frames are shown.
 void yield_to_frames(Beside beside = Beside::awaited);
 
 // The future of `work()`; its destructor waits, as that of std::async.

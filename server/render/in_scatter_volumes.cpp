@@ -104,9 +104,10 @@ void keep_first(List& list, std::size_t most) {
 
 }  // namespace
 
-// On a thread of its own. The level in the middle comes first, and is a draft of all of them.
+// On a thread of its own. The level in the middle comes first, and is a draft of all of them; the others yield to the
+// frames that this draft brings.
 std::optional<bake::LightTexels> InScatterVolumes::solve(const std::vector<bake::InScatterProblem>& levels,
-                                                         const std::stop_token& stop, Draft& draft) {
+                                                         Beside beside, const std::stop_token& stop, Draft& draft) {
   const std::size_t middle = levels.size() / 2;
   auto first = bake::solve_in_scatter(levels[middle], {}, stop);
   if (!first) return std::nullopt;
@@ -117,6 +118,7 @@ std::optional<bake::LightTexels> InScatterVolumes::solve(const std::vector<bake:
   }
   for (std::size_t level = 0; level < levels.size(); ++level) {
     if (level == middle) continue;
+    yield_to_frames(beside);
     auto solution = bake::solve_in_scatter(levels[level], {}, stop);
     if (!solution) return std::nullopt;
     solutions[level] = std::move(*solution);
@@ -191,8 +193,9 @@ InScatterVolumes::Job* InScatterVolumes::start(const Question& question, const b
                       question.cloudscape->medium.single_scattering_albedo, question.light});
   Job& job = jobs_.emplace_back(Job{question.key, question.clouds, {}, {}, Clock::now(), std::make_shared<Draft>()});
   job.result = beside_frames(
-      [levels = std::move(levels), stop = job.stop.get_token(), cache = cache_, key = question.key, draft = job.draft] {
-        auto light = solve(levels, stop, *draft);
+      [levels = std::move(levels), beside, stop = job.stop.get_token(), cache = cache_, key = question.key,
+       draft = job.draft] {
+        auto light = solve(levels, beside, stop, *draft);
         if (light) cache.store(key, *light);
         return light;
       },

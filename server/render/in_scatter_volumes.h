@@ -83,7 +83,7 @@ class InScatterVolumes {
   std::shared_ptr<const InScatterVolume> kept(const std::string& key);
   void keep(const std::string& key, Clouds& clouds, const bake::LightTexels& light);
   void take_results();
-  static std::optional<bake::LightTexels> solve(const std::vector<bake::InScatterProblem>& levels,
+  static std::optional<bake::LightTexels> solve(const std::vector<bake::InScatterProblem>& levels, Beside beside,
                                                 const std::stop_token& stop, Draft& draft);
   void stop_the_forgotten();
   Job* job_of(const std::string& key);

@@ -198,6 +198,7 @@ bool ViewerStream::rendered(const Work& work, double render_ms, double turn_ms, 
 void ViewerStream::encoded(const Work& work, std::size_t bytes, double encode_ms, Time now) {
   flights_.encoded(work.frame_id, encode_ms, now);
   encode_ms_ = encode_ms;
+  if (!shows_frames_) shows_frames_.emplace();
   meter_.add(bytes, now);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "core/beside_frames.h"
 #include "stream/flights.h"
 #include "stream/frame_meter.h"
 #include "stream/frame_scheduler.h"
@@ -46,10 +47,11 @@ class ViewerStream {
 
   StreamId id_;
   StreamView view_;
-  std::optional<StreamView> shown_;  // by the last frame that was taken
-  bool moved_ = true;                // the view is not the one that is shown
-  Time moved_since_;                 // the first change of the view that no frame shows yet
-  Time moved_at_;                    // the last change
+  std::optional<StreamView> shown_;             // by the last frame that was taken
+  std::optional<FramesAreShown> shows_frames_;  // from its first one on
+  bool moved_ = true;                           // the view is not the one that is shown
+  Time moved_since_;                            // the first change of the view that no frame shows yet
+  Time moved_at_;                               // the last change
   Time rendered_at_;
   Time clock_due_;  // when the next picture of a running clock is due
   Time::duration clock_pace_;

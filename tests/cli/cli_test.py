@@ -35,7 +35,7 @@ class CliTest(unittest.TestCase):
     def run_program(self, *arguments):
         environment = {k: v for k, v in os.environ.items() if not k.startswith("CLOUDSCAPE_")}
         environment["XDG_CACHE_HOME"] = str(self.folder / "cache")
-        return subprocess.run([PROGRAM, *arguments], cwd=self.folder, env=environment, timeout=60, text=True,
+        return subprocess.run([PROGRAM, *arguments], cwd=self.folder, env=environment, timeout=300, text=True,
                               capture_output=True)
 
     def still(self, cloudscape, output, *options):
@@ -269,11 +269,11 @@ class Sequence(CliTest):
         program = subprocess.Popen(
             [PROGRAM, "still", self.sky, "-o", "frame_####.png", "--path", self.path, "--frames-per-second", "1000", *SMALL,
              "--cache-dir", str(self.folder / "cache")], cwd=self.folder, env=environment, stderr=subprocess.PIPE, text=True)
-        end = time.monotonic() + 30
+        end = time.monotonic() + 120
         while not self.files() and time.monotonic() < end:
             time.sleep(0.01)
         program.send_signal(signal.SIGINT)
-        said = program.communicate(timeout=30)[1]
+        said = program.communicate(timeout=120)[1]
         self.assertEqual(program.returncode, 130, said)
         self.assertIn("--resume", said)
         files = self.files()

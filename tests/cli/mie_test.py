@@ -17,7 +17,7 @@ SMALL = ["--effective-radius-um", "2"]
 
 
 def run(*arguments, folder=None):
-    return subprocess.run([PROGRAM, "mie", *arguments], cwd=folder, timeout=120, text=True, capture_output=True)
+    return subprocess.run([PROGRAM, "mie", *arguments], cwd=folder, timeout=300, text=True, capture_output=True)
 
 
 def rows_of(text):

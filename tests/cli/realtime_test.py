@@ -58,16 +58,19 @@ class Realtime(Cli):
         self.assertNotIn("FLIP", result.stdout)
 
     def test_measures_so_many_streams(self):
-        result = self.bench("streams", "--size", "64x36", "--streams", "3", "--seconds", "1.5", "-o", "streams.json")
-        self.assert_done(result)
+        for seconds in (1.5, 6, 24, 96):  # until each has shown frames, on a machine that is slow or has other work
+            result = self.bench("streams", "--size", "64x36", "--streams", "3", "--seconds", str(seconds), "-o", "streams.json")
+            self.assert_done(result)
+            (measured,) = json.loads((self.folder / "streams.json").read_text())["measured"]
+            slowest_fps = min(stream["fps"] for stream in measured["each"])
+            if slowest_fps > 0:
+                break
+        self.assertGreater(slowest_fps, 0)
         self.assertRegex(result.stdout, r"30 frames a second: (not )?held\n60 frames a second: (not )?held")
-        (measured,) = json.loads((self.folder / "streams.json").read_text())["measured"]
         self.assertEqual(measured["streams"], 3)
         self.assertEqual(len(measured["each"]), 3)
         self.assertGreater(measured["bytes_per_stream"], 0)
         self.assertLessEqual(measured["bytes_per_stream"], 64 * 36 * 40)
-        for stream in measured["each"]:
-            self.assertGreater(stream["fps"], 0)
 
     def test_searches(self):
         result = self.bench("streams", "--size", "16x9", "--most", "2", "--seconds", "0.3")

