@@ -104,7 +104,8 @@ void add_quality_options(CLI::App& command, RealtimeOptions& options) {
       ->check(CLI::Range(1, 4096));
   command
       .add_option("--detail", options.detail,
-                  "Detail of the pictures that are compared, 0 (marched whole) to 6 [as most were flown]")
+                  "Detail of the pictures that are compared, 0 (marched whole) to " +
+                      std::to_string(stream::moving_details.size() - 1) + " [as most were flown]")
       ->check(CLI::Range(0, static_cast<int>(stream::moving_details.size()) - 1));
   command
       .add_option("--flicker-frames", options.flicker_frames,

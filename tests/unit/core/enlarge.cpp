@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cloudscape {
@@ -31,7 +32,7 @@ TEST(EnlargeTest, even_picture_stays_as_it_is) {
       }
 }
 
-// A cubic through its points goes straight through those of a line; each channel by itself.
+// The cubic goes straight along those of a line; each channel by itself.
 TEST(EnlargeTest, slope_stays_straight_and_in_its_place) {
   const ImageSize from{20, 12}, to{56, 33};
   const glm::dvec2 margin(0.5 * (20 - 56 / 3.0), 0.5 * (12 - 33 / 3.0));
@@ -47,7 +48,7 @@ TEST(EnlargeTest, slope_stays_straight_and_in_its_place) {
       }
 }
 
-// An edge overshoots in Catmull and Rom's cubic, and a byte must not wrap around there.
+// An edge may overshoot in a cubic, and a byte must not wrap around there.
 TEST(EnlargeTest, hard_edge_does_not_wrap_around) {
   const ImageSize from{16, 16}, to{64, 64};
   const Bytes large =
@@ -58,6 +59,36 @@ TEST(EnlargeTest, hard_edge_does_not_wrap_around) {
       const int value = large[4 * static_cast<std::size_t>(y * 64 + x)];
       ASSERT_EQ(value, (x < 32) == (y < 32) ? 255 : 0) << x << " " << y;
     }
+}
+
+// The cubic does not make much of a pixel of its own: it fades into its neighbours, and is not lost.
+TEST(EnlargeTest, lone_pixel_is_softened) {
+  const ImageSize from{16, 16}, to{32, 32};
+  const auto large =
+      enlarged(picture(from, [](int x, int y, int) { return x == 8 && y == 8 ? 200 : 0; }), {from, 2, {0, 0}}, to);
+  const int brightest = *std::ranges::max_element(large);
+  EXPECT_LT(brightest, 0.65 * 200);
+  EXPECT_GT(brightest, 0.4 * 200);
+}
+
+// A ray that met a silver edge, or a gap in it, alone. Two of them are a thing, and so is all that touches the
+// picture's edge, whatever the size.
+TEST(EnlargeTest, grain_is_lost_where_it_would_be_large) {
+  for (const ImageSize from : {ImageSize{3, 3}, ImageSize{9, 4}, ImageSize{18, 12}, ImageSize{21, 9}}) {
+    const ImageSize to{4 * from.width, 4 * from.height};
+    const auto large = [&](auto value) { return enlarged(picture(from, value), {from, 4, {0, 0}}, to); };
+    const auto even = picture(to, [](int, int, int) { return 90; });
+    for (int at_y = 0; at_y < from.height; ++at_y)
+      for (int at_x = 0; at_x < from.width; ++at_x) {
+        const bool inside = at_x > 0 && at_y > 0 && at_x < from.width - 1 && at_y < from.height - 1;
+        const auto is_grain = [&](int x, int y) { return x == at_x && y == at_y; };
+        for (const int value : {0, 250}) {
+          EXPECT_EQ(large([&](int x, int y, int) { return is_grain(x, y) ? value : 90; }) == even, inside)
+              << at_x << " " << at_y << " of " << from.width << " x " << from.height;
+          EXPECT_NE(large([&](int x, int y, int) { return is_grain(x, y) || is_grain(x, y - 1) ? value : 90; }), even);
+        }
+      }
+  }
 }
 
 TEST(EnlargeTest, frame_that_was_not_kept_small_is_left_alone) {
