@@ -4,7 +4,7 @@
 
 #include "core/cpu_time.h"
 #include "core/error.h"
-#include "stream/milliseconds.h"
+#include "core/milliseconds.h"
 #include "stream/moving_frame.h"
 
 namespace cloudscape::app {
@@ -61,7 +61,7 @@ Flown measure(GpuStack& stack, const FlightPlan& plan, FramePump& pump, Simulate
   Flown flown;
   flown.seconds = viewers.seconds();
   flown.frames = viewers.frames();
-  flown.busy_share = 1 - stream::milliseconds(idle) / (1000 * flown.seconds);
+  flown.busy_share = 1 - milliseconds(idle) / (1000 * flown.seconds);
   flown.cpu_ms = process_cpu_ms() - cpu_ms;
   flown.threads = bench::since(threads, bench::thread_cpu_ms());
   flown.history_bytes = stack.renderer.history_bytes();

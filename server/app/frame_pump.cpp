@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
-#include "core/ms_since.h"
+#include "core/milliseconds.h"
 #include "encode/encode.h"
 
 namespace cloudscape::app {

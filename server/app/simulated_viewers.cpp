@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "stream/milliseconds.h"
+#include "core/milliseconds.h"
 #include "stream/quality_control.h"
 #include "stream/refinement.h"
 
@@ -62,7 +62,7 @@ std::shared_ptr<const Cloudscape> SimulatedViewers::in_other_light(const Cloudsc
 }
 
 stream::StreamView SimulatedViewers::view_at(Each& each, Time now) {
-  const double open_s = stream::milliseconds(now - opened_) / 1000, flown_s = options_.speed * open_s;
+  const double open_s = milliseconds(now - opened_) / 1000, flown_s = options_.speed * open_s;
   const auto key = settings::key_at(options_.path, place_on(options_.path, each.viewer.start_s, flown_s));
   stream::StreamView view = each.viewer.view;
   view.pose = key.pose;
@@ -121,9 +121,8 @@ void SimulatedViewers::deliver(const stream::Work& work, const FrameTimings& tim
   if (found == viewers_.end()) return;
   Each& each = found->second;
   if (work.quality_stage == stream::moving_stage)
-    each.frames.push_back({stream::milliseconds(now - measured_from_),
-                           stream::milliseconds(now - each.sent.at(work.pose_sequence)), timings.render_ms,
-                           timings.gpu_ms, timings.readback_ms, image.encode_ms,
+    each.frames.push_back({milliseconds(now - measured_from_), milliseconds(now - each.sent.at(work.pose_sequence)),
+                           timings.render_ms, timings.gpu_ms, timings.readback_ms, image.encode_ms,
                            static_cast<double>(image.bytes.size()), stream::moving_detail_of(work.request.quality)});
   if (options_.latency_ms <= 0) return scheduler_.acknowledge(work.request.stream, work.frame_id, 0);
   acknowledgements_.push_back({now + seconds_long(options_.latency_ms / 1000), work.request.stream, work.frame_id});
@@ -145,7 +144,7 @@ std::size_t SimulatedViewers::delivered() const {
 
 double SimulatedViewers::seconds() const {
   const std::lock_guard lock(mutex_);
-  return stream::milliseconds(Clock::now() - measured_from_) / 1000;
+  return milliseconds(Clock::now() - measured_from_) / 1000;
 }
 
 std::vector<std::vector<bench::FlownFrame>> SimulatedViewers::frames() const {

@@ -6,7 +6,7 @@
 
 #include "core/enlarge.h"
 #include "core/error.h"
-#include "core/ms_since.h"
+#include "core/milliseconds.h"
 #include "core/version.h"
 #include "encode/formats.h"
 

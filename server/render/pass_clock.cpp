@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/cpu_time.h"
-#include "core/ms_since.h"
+#include "core/milliseconds.h"
 
 namespace cloudscape::render {
 

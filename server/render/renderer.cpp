@@ -5,7 +5,7 @@
 
 #include "core/enlarge.h"
 #include "core/march_steps.h"
-#include "core/ms_since.h"
+#include "core/milliseconds.h"
 #include "core/sun_position.h"
 #include "render/block_values.h"
 

@@ -1,5 +1,5 @@
 // Frames of moving pictures: what is left to do when their rays are marched.
-#include "core/ms_since.h"
+#include "core/milliseconds.h"
 #include "render/discs.h"
 #include "render/renderer.h"
 

@@ -1,5 +1,5 @@
 // The renderer's pictures that are path-traced.
-#include "core/ms_since.h"
+#include "core/milliseconds.h"
 #include "render/renderer.h"
 
 namespace cloudscape::render {

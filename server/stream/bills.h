@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/milliseconds.h"
 #include "stream/frame_scheduler.h"
-#include "stream/milliseconds.h"
 
 namespace cloudscape::stream {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stream/milliseconds.h"
+#include "core/milliseconds.h"
 
 namespace cloudscape::stream {
 namespace {

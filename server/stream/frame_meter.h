@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <deque>
 
+#include "core/milliseconds.h"
 #include "stream/frame_scheduler.h"
-#include "stream/milliseconds.h"
 
 namespace cloudscape::stream {
 

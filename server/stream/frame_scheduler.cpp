@@ -7,9 +7,9 @@
 #include <mutex>
 #include <utility>
 
+#include "core/milliseconds.h"
 #include "stream/background.h"
 #include "stream/bills.h"
-#include "stream/milliseconds.h"
 #include "stream/still_queue.h"
 #include "stream/turns.h"
 #include "stream/viewer_stream.h"

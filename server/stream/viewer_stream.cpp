@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "stream/milliseconds.h"
+#include "core/milliseconds.h"
 #include "stream/moving_frame.h"
 #include "stream/refinement.h"
 
