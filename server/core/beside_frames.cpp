@@ -31,7 +31,7 @@ constexpr std::uint64_t turn_ns = 100'000;
 
 // Linux has both by thread. A program that was started with less keeps that; a container may forbid the one call.
 void yield_to_frames(Beside beside) {
-  if (!FramesAreShown::anywhere()) return;
+  if (!MovingPicture::anywhere()) return;
   const auto thread = static_cast<id_t>(gettid());
   const std::int32_t wanted = beside == Beside::awaited ? nice_if_awaited : nice_if_lagging;
   const std::int32_t nice = std::max(wanted, getpriority(PRIO_PROCESS, thread));

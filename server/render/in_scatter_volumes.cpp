@@ -105,7 +105,7 @@ void keep_first(List& list, std::size_t most) {
 }  // namespace
 
 // On a thread of its own. The level in the middle comes first, and is a draft of all of them; the others yield to the
-// frames that this draft brings.
+// flight that this draft begins.
 std::optional<bake::LightTexels> InScatterVolumes::solve(const std::vector<bake::InScatterProblem>& levels,
                                                          Beside beside, const std::stop_token& stop, Draft& draft) {
   const std::size_t middle = levels.size() / 2;

@@ -198,7 +198,10 @@ bool ViewerStream::rendered(const Work& work, double render_ms, double turn_ms, 
 void ViewerStream::encoded(const Work& work, std::size_t bytes, double encode_ms, Time now) {
   flights_.encoded(work.frame_id, encode_ms, now);
   encode_ms_ = encode_ms;
-  if (!shows_frames_) shows_frames_.emplace();
+  if (work.quality_stage != moving_stage)
+    flown_.reset();
+  else if (!flown_)
+    flown_.emplace();
   meter_.add(bytes, now);
 }
 

@@ -47,11 +47,11 @@ class ViewerStream {
 
   StreamId id_;
   StreamView view_;
-  std::optional<StreamView> shown_;             // by the last frame that was taken
-  std::optional<FramesAreShown> shows_frames_;  // from its first one on
-  bool moved_ = true;                           // the view is not the one that is shown
-  Time moved_since_;                            // the first change of the view that no frame shows yet
-  Time moved_at_;                               // the last change
+  std::optional<StreamView> shown_;     // by the last frame that was taken
+  std::optional<MovingPicture> flown_;  // until it is refined
+  bool moved_ = true;                   // the view is not the one that is shown
+  Time moved_since_;                    // the first change of the view that no frame shows yet
+  Time moved_at_;                       // the last change
   Time rendered_at_;
   Time clock_due_;  // when the next picture of a running clock is due
   Time::duration clock_pace_;

@@ -13,7 +13,7 @@ namespace {
 int niceness() { return getpriority(PRIO_PROCESS, static_cast<id_t>(gettid())); }
 
 TEST(BesideFrames, WorkYieldsAndSoDoesWhatItStarts) {
-  const FramesAreShown shown;
+  const MovingPicture flown;
   const int own = niceness();
   auto seen = beside_frames([] { return std::pair(niceness(), std::async(std::launch::async, niceness).get()); });
   const auto [worker, started] = seen.get();
@@ -25,10 +25,10 @@ TEST(BesideFrames, WorkYieldsAndSoDoesWhatItStarts) {
 
 // It waited for every other program of the machine: a still under the sanitizers took 14 s, and 133 s beside two of
 // them.
-TEST(BesideFrames, WorkDoesNotYieldWhereNoFramesAreShown) {
+TEST(BesideFrames, WorkDoesNotYieldWhereNobodyFlies) {
   const int own = niceness();
   EXPECT_EQ(beside_frames(niceness).get(), own);
-  { const FramesAreShown shown; }
+  { const MovingPicture flown; }
   EXPECT_EQ(beside_frames(niceness, Beside::lagging).get(), own);
 }
 

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/beside_frames.h"
 #include "scheduler_test.h"
 
 namespace cloudscape::stream {
@@ -104,6 +105,22 @@ TEST_F(LifecycleTest, gauges_and_histograms_follow) {
   const std::string text = metrics.prometheus_text();
   for (const char* histogram : {"queue", "render", "encode", "ack"})
     EXPECT_NE(text.find("cloudscape_" + std::string(histogram) + "_ms_count 1\n"), std::string::npos) << histogram;
+}
+
+// Long work yields to them: core/beside_frames.h.
+TEST_F(LifecycleTest, flies_from_its_first_moving_frame_until_it_is_refined_or_closed) {
+  const auto stream = scheduler.open(looking(0));
+  const auto work = take();
+  EXPECT_FALSE(MovingPicture::anywhere());
+  show(*work);
+  EXPECT_TRUE(MovingPicture::anywhere());
+  show_all();
+  EXPECT_FALSE(MovingPicture::anywhere());
+  scheduler.update(stream, looking(1));
+  show(*take());
+  EXPECT_TRUE(MovingPicture::anywhere());
+  scheduler.close(stream);
+  EXPECT_FALSE(MovingPicture::anywhere());
 }
 
 TEST_F(LifecycleTest, nothing_is_taken_or_wanted_after_stop) {
